@@ -1,0 +1,2 @@
+noinst_LIBRARIES += libgeom.a
+libgeom_a_SOURCES = 

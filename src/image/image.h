@@ -1,0 +1,31 @@
+/*
+ * Images in memory: rows from the top, linear light, single precision, channels interleaved. Reading takes PNG, JPEG, TIFF,
+ * GIF, TGA, PPM/PGM, BMP and OpenEXR; writing PNG, TGA, PPM and OpenEXR. Files are written beside and renamed.
+ */
+#ifndef IMAGE_IMAGE_H
+#define IMAGE_IMAGE_H
+
+#include <stdbool.h>
+#include <stdint.h>
+
+#include "base/diag.h"
+
+typedef struct Image {
+	int width, height, channels; /* 1 grey, 2 grey+alpha, 3 RGB, 4 RGB+alpha (not premultiplied) */
+	float *pixels;               /* width*height*channels, 0..1 for integer formats, as decoded (see encoding) */
+	uint8_t *indices;            /* palette indices of a palette image, or NULL */
+	int palette_count;
+	float *palette;              /* palette_count x 4, or NULL */
+	int bits;                    /* per channel in the file: 1..16, 32 for floats */
+	bool linear;                 /* the format says its values are linear light (EXR); else sRGB or the file's gamma below */
+	double gamma;                /* the file's own encoding gamma, 0 when it says nothing; negative: sRGB */
+} Image;
+
+/* By content, not by name. NULL on failure, reported to diag. */
+Image *image_read(const char *path, Diag *diag);
+void image_destroy(Image *image);
+
+/* Decodes the file's values to linear light in place: by the file's gamma, else by fallback (0: sRGB transfer, 1: none). */
+void image_linearize(Image *image, double fallback);
+
+#endif

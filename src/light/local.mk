@@ -1,0 +1,2 @@
+noinst_LIBRARIES += liblight.a
+liblight_a_SOURCES = 

@@ -1,0 +1,2 @@
+noinst_LIBRARIES += librender.a
+librender_a_SOURCES = 

@@ -1,0 +1,2 @@
+noinst_LIBRARIES += libscene.a
+libscene_a_SOURCES = 

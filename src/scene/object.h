@@ -1,0 +1,73 @@
+/*
+ * Objects as the language builds them: a tree whose nodes carry a transform to the enclosing space, a texture, an interior
+ * and flags. Nodes are immutable once a name or a parent refers to them; `object { Name ... }` copies one node and shares
+ * its children. scene_flatten turns the tree into geom shapes in world space whose owner is a Surface.
+ */
+#ifndef SCENE_OBJECT_H
+#define SCENE_OBJECT_H
+
+#include "base/arena.h"
+#include "geom/shape.h"
+#include "light/light.h"
+#include "surface/texture.h"
+
+typedef enum ObjectKind {
+	OBJECT_PRIMITIVE,
+	OBJECT_UNION,
+	OBJECT_INTERSECTION,
+	OBJECT_DIFFERENCE,
+	OBJECT_MERGE,
+	OBJECT_LIGHT,       /* light_source, perhaps with looks_like as its one child */
+	OBJECT_LIGHT_GROUP, /* children: lights and the objects they alone light */
+} ObjectKind;
+
+typedef enum Tristate { UNSET = -1, OFF = 0, ON = 1 } Tristate;
+
+typedef struct ObjectFlags {
+	Tristate hollow, no_shadow, no_image, no_reflection, no_radiosity, double_illuminate, uv_mapping;
+	Tristate cutaway_textures, split_union, global_lights;
+	Tristate photons_target, photons_refraction, photons_reflection, photons_collect, photons_pass_through;
+} ObjectFlags;
+
+typedef struct Object Object;
+struct Object {
+	ObjectKind kind;
+	const ShapeClass *class;          /* PRIMITIVE */
+	const void *data;                 /* PRIMITIVE: the class' data */
+	const Light *light;               /* LIGHT, in this object's own space */
+	const Object *const *children; int child_count;
+	Transform transform;              /* own space to the enclosing one */
+	const Texture *texture;           /* NULL: the enclosing object's, at last the default */
+	const Texture *interior_texture;
+	Transform texture_transform;      /* transforms given after the texture: texture's space to the enclosing one */
+	const Interior *interior;         /* NULL: the enclosing object's */
+	bool inverse;
+	ObjectFlags flags;
+	const Object *const *clip; int clip_count;
+	const Object *const *bound; int bound_count;
+	bool clip_is_bound;               /* bounded_by { clipped_by } or the other way round */
+	double photon_spacing;            /* photons { target X }; 0: unset */
+};
+
+/* What a primitive's owner points to. */
+typedef struct Surface {
+	const Texture *texture;          /* never NULL */
+	const Texture *interior_texture; /* or NULL */
+	const Transform *attach;         /* from the texture's space to the world; NULL: none */
+	const Interior *interior;        /* or NULL */
+	bool hollow, no_shadow, no_image, no_reflection, no_radiosity, double_illuminate, uv_mapping;
+	bool global_lights;
+	int light_group;                 /* 0: none */
+	bool photons_target, photons_refraction, photons_reflection, photons_collect, photons_pass_through;
+	double photon_spacing;
+	bool opaque;                     /* no texture of it lets light through: shadow rays need not look closer */
+	int id;                          /* of the top-level object, counting from 0 */
+} Surface;
+
+Object object_default(ObjectKind kind);
+
+/* The object tree under node as one shape (a union when it is several), without owner surfaces: for trace(), inside(),
+ * min_extent(), object patterns, containers and clips. */
+const Shape *object_shape(Arena *arena, const Object *object);
+
+#endif

@@ -1,0 +1,2 @@
+noinst_LIBRARIES += libsurface.a
+libsurface_a_SOURCES = 

@@ -1,0 +1,145 @@
+/*
+ * Pigments, normals, finishes, textures and interiors: what POV-Ray's texture { } and interior { } blocks say. Plain
+ * immutable data, made by lang, evaluated here. Points come in world space at the top and are taken down by transforms.
+ */
+#ifndef SURFACE_TEXTURE_H
+#define SURFACE_TEXTURE_H
+
+#include "base/arena.h"
+#include "base/color.h"
+#include "base/transform.h"
+#include "surface/pattern.h"
+#include "surface/point.h"
+
+typedef struct Pigment Pigment;
+typedef struct Normal Normal;
+typedef struct Texture Texture;
+typedef struct ImageMap ImageMap; /* surface/image_map.h */
+
+/* ---- pigment: a colour for every point ---- */
+
+typedef enum PigmentKind {
+	PIGMENT_COLOR,       /* color */
+	PIGMENT_COLOR_MAP,   /* pattern + colors */
+	PIGMENT_PIGMENT_MAP, /* pattern + pigments */
+	PIGMENT_LIST,        /* list pattern + pigments: checker, brick, object... */
+	PIGMENT_AVERAGE,     /* pigments weighted by their keys */
+	PIGMENT_IMAGE,       /* image */
+	PIGMENT_UV,          /* uv_mapping: the one pigment at (u, v, 0) */
+} PigmentKind;
+
+/* Keys rise. Below the first and above the last the end entries hold. */
+typedef struct ColorEntry { double key; Rgbft color; } ColorEntry;
+typedef struct PigmentEntry { double key; const Pigment *pigment; } PigmentEntry;
+
+struct Pigment {
+	PigmentKind kind;
+	Pattern pattern;          /* its warps bend the point for every kind */
+	Rgbft color;
+	const ColorEntry *colors; int color_count;
+	const PigmentEntry *pigments; int pigment_count;
+	const ImageMap *image;
+	Rgbft quick_color; bool has_quick_color;
+};
+
+Rgbft pigment_color(const Pigment *pigment, const SurfacePoint *at);
+
+/* ---- normal: a perturbation of the shading normal ---- */
+
+typedef enum NormalKind { NORMAL_PATTERN, NORMAL_SLOPE_MAP, NORMAL_NORMAL_MAP, NORMAL_LIST, NORMAL_AVERAGE, NORMAL_BUMP_MAP, NORMAL_UV } NormalKind;
+
+typedef struct SlopeEntry { double key, height, slope; } SlopeEntry;
+typedef struct NormalEntry { double key; const Normal *normal; } NormalEntry;
+
+struct Normal {
+	NormalKind kind;
+	Pattern pattern;
+	double amount;     /* bump depth */
+	double bump_size;  /* factor of normal maps; 1 */
+	double accuracy;   /* step of the finite difference; 0.02 */
+	const SlopeEntry *slopes; int slope_count;
+	const NormalEntry *normals; int normal_count;
+	const ImageMap *image;
+	bool no_bump_scale;
+};
+
+/* The perturbed unit normal (world) for the unit normal at->normal. */
+Vec3 normal_perturb(const Normal *normal, const SurfacePoint *at, Vec3 n);
+
+/* ---- finish ---- */
+
+typedef struct Finish {
+	Rgb ambient, emission;
+	float diffuse, diffuse_back, brilliance;
+	bool diffuse_albedo, specular_albedo, phong_albedo;
+	float phong, phong_size;
+	float specular, roughness; /* roughness as the scene says; exponent is 1/roughness */
+	float metallic;            /* phong and specular highlights take the surface's colour */
+	float crand;
+	bool conserve_energy;
+	bool use_subsurface; Rgb subsurface_translucency; Rgb subsurface_anisotropy;
+	struct {
+		Rgb min, max;
+		bool fresnel;
+		float falloff, exponent, metallic;
+	} reflection;
+	struct { float amount, thickness, turbulence; } irid;
+} Finish;
+
+Finish finish_default(void);
+
+/* ---- texture ---- */
+
+typedef enum TextureKind { TEXTURE_PLAIN, TEXTURE_MAP, TEXTURE_LIST, TEXTURE_AVERAGE, TEXTURE_MATERIAL_MAP, TEXTURE_UV } TextureKind;
+
+typedef struct TextureEntry { double key; const Texture *texture; } TextureEntry;
+
+struct Texture {
+	TextureKind kind;
+	const Transform *transform; /* texture space to the space it is attached in; NULL: the same. Applies to everything in this
+	                             * struct, not to next */
+	const Pigment *pigment;     /* PLAIN; never NULL */
+	const Normal *normal;       /* PLAIN; may be NULL */
+	const Finish *finish;       /* PLAIN; never NULL */
+	Pattern pattern;            /* the others */
+	const TextureEntry *textures; int texture_count;
+	const ImageMap *image;      /* MATERIAL_MAP */
+	const Texture *next;        /* the layer above this one, or NULL */
+};
+
+/* What the integrator shades: stacks of layers with weights that add up to 1. Layers of a stack come bottom to top. */
+typedef struct ShadingLayer {
+	Rgbft color;
+	Vec3 normal; /* unit, world */
+	const Finish *finish;
+} ShadingLayer;
+
+typedef struct ShadingStack { float weight; int first, count; } ShadingStack;
+
+enum { SHADING_MAX_LAYERS = 48, SHADING_MAX_STACKS = 16 };
+
+typedef struct Shading {
+	ShadingLayer layers[SHADING_MAX_LAYERS]; int layer_count;
+	ShadingStack stacks[SHADING_MAX_STACKS]; int stack_count;
+} Shading;
+
+/* Evaluates the texture at a world point; at->p is ignored, at->world used. attach is the transform from the space the
+ * texture was attached in to the world (NULL: none). When stacks run out the lightest ones are dropped and the weights
+ * rescaled. */
+void texture_shade(const Texture *texture, const Transform *attach, const SurfacePoint *at, Shading *out);
+
+/* ---- interior ---- */
+
+typedef struct Interior {
+	float ior;              /* 1 */
+	float caustics;         /* POV-Ray's fake caustics power; 0 */
+	float fade_distance, fade_power;
+	Rgb fade_color;
+	float dispersion;       /* ratio of the ior of violet to that of red; 1 */
+	int dispersion_samples; /* 7 */
+	const void *media;      /* for the volume room */
+} Interior;
+
+Interior interior_default(void);
+
+#endif

@@ -1,0 +1,10 @@
+include tests/unit/geom.mk
+include tests/unit/surface.mk
+include tests/unit/light.mk
+include tests/unit/scene.mk
+include tests/unit/image.mk
+include tests/unit/render.mk
+include tests/unit/base.mk
+include tests/unit/lang.mk
+include tests/unit/parser.mk
+include tests/unit/cli.mk

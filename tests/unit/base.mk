@@ -1,0 +1,1 @@
+# Unit tests of base: one program a module.

@@ -1,0 +1,1 @@
+# Unit tests of src/image: one program a module.

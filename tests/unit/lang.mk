@@ -1,0 +1,1 @@
+# Unit tests of lang: one program a module.

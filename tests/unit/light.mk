@@ -1,0 +1,1 @@
+# Unit tests of src/light: one program a module.

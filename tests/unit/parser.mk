@@ -1,0 +1,1 @@
+# Unit tests of parser: one program a module.
