@@ -22,6 +22,9 @@ Value expression_binary(Context *context, Operator op, Value a, Value b, Locatio
 Value expression_conditional(Context *context, Value test, Value yes, Value no, Location where);
 /* A built-in function's word with its arguments: sin(x), vrotate(v, r), concat(...), str(...), trace(...). */
 Value expression_call(Context *context, Word function, const Value *args, int count, Location where);
+/* trace(object, from, direction [, variable]): the point hit, and in *normal the vector to store in the variable (<0,0,0>
+ * when nothing was hit); normal may be NULL. */
+Value expression_trace(Context *context, const Value args[3], Value *normal, Location where);
 /* A user's function, spline or vector function. */
 Value expression_apply(Context *context, Value callee, const Value *args, int count, Location where);
 /* < a, b, ... > of 2 to 5 components. */
