@@ -1,1 +1,4 @@
-# Unit tests of base: one program a module.
+# Unit tests of src/base: one program a module, or one for the small ones together.
+check_PROGRAMS += tests/unit/test_base
+tests_unit_test_base_SOURCES = tests/unit/test_base.c tests/unit/check.h
+tests_unit_test_base_LDADD = libbase.a
