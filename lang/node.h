@@ -35,10 +35,4 @@ struct Node {
 	Node *next;
 };
 
-/* Walks a sequence of nodes. */
-typedef struct Cursor {
-	const Node *at;       /* next node; NULL at the end */
-	const Node *block;    /* the block or entry walked, for messages at its end; may be NULL */
-} Cursor;
-
 #endif
