@@ -16,6 +16,16 @@
 typedef struct Pattern Pattern;
 typedef struct PatternClass PatternClass;
 
+typedef enum WaveType { WAVE_RAMP, WAVE_TRIANGLE, WAVE_SINE, WAVE_SCALLOP, WAVE_CUBIC, WAVE_POLY } WaveType;
+
+/* How a class differs from the common kind of pattern. */
+enum {
+	PATTERN_OWN_TURBULENCE = 1, /* value uses the pattern's classic turbulence itself: it is not applied to the point */
+	PATTERN_TRIANGLE = 2,       /* the default wave is a triangle */
+	PATTERN_STILL = 4,          /* frequency is 0 unless the scene says so: the value goes to the map as it is */
+	PATTERN_NEEDS_DATA = 8,     /* data may not be NULL */
+};
+
 struct PatternClass {
 	const char *name; /* as in the scene language */
 	/* The raw value: usually in [0, 1] before wave shaping; for list patterns the number of the entry. */
@@ -24,25 +34,31 @@ struct PatternClass {
 	/* Optional: a normal perturbation of its own (bumps, dents, ripples, waves, wrinkles, quilted...). NULL: normals
 	 * come from the slope of value. Adds to *normal, which is unit and stays of any length. */
 	void (*bump)(const Pattern *pattern, const SurfacePoint *at, double amount, Vec3 *normal);
+	int flags;         /* PATTERN_... */
 };
-
-typedef enum WaveType { WAVE_RAMP, WAVE_TRIANGLE, WAVE_SINE, WAVE_SCALLOP, WAVE_CUBIC, WAVE_POLY } WaveType;
 
 typedef struct Warp Warp; /* surface/warp.h */
 
 struct Pattern {
 	const PatternClass *class;
-	const void *data;   /* the class' own parameters, as the class' header defines them; NULL for none */
-	Warp *warps;        /* applied in list order; transformations are warps */
+	const void *data;   /* the class' own parameters, as pattern_data.h defines them; NULL for the defaults */
+	const Warp *warps;  /* see warp.h, which also builds the list; transformations are warps */
 	double frequency, phase, exponent;
 	WaveType wave;
 	int noise_generator; /* 1, 2, 3; 0: the scene's */
 };
 
+/* A pattern of a class with the class' default wave and frequency, and nothing else. */
+void pattern_init(Pattern *pattern, const PatternClass *class);
 /* The value with warps, frequency, phase and wave applied: in [0, 1], or an entry's number for list patterns. */
 double pattern_value(const Pattern *pattern, const SurfacePoint *at);
 /* at->p taken through the warps alone. */
 Vec3 pattern_warp_point(const Pattern *pattern, const SurfacePoint *at);
+
+/* A normal taken from outside into the pattern's space and back (transformations only); neither comes out unit. A class' own
+ * bump gets at->p and the normal in the pattern's space. */
+Vec3 pattern_warp_normal(const Pattern *pattern, Vec3 normal);
+Vec3 pattern_unwarp_normal(const Pattern *pattern, Vec3 normal);
 
 /* The class of a word, or NULL. */
 const PatternClass *pattern_find(const char *name);
