@@ -38,6 +38,7 @@ typedef struct Context {
 	int image_width, image_height;
 	double version;        /* the current #version, 3.7 by default; 0: none given yet */
 	bool cognac;           /* the extension's words are on */
+	unsigned unsupported;  /* features a warning was given about: a bit each (lang/build_media.h) */
 	bool allow_write_anywhere; /* #fopen for writing outside the working directory */
 	const char *const *library_paths; int library_path_count;
 } Context;
