@@ -67,6 +67,9 @@ struct ShapeClass {
 	bool (*nearest)(const Shape *self, const Ray *ray, Hit *out);
 	/* Optional: a smooth shading normal that differs from the geometric one (meshes, height fields); own space. */
 	Vec3 (*shading_normal)(const void *data, const Hit *hit, Vec3 p);
+	/* Optional: which of the owner's several textures cover the hit (meshes with texture_list, blob components): fills up to
+	 * max texture numbers with weights that add up to 1, returns how many; 0: the owner's one texture. */
+	int (*textures)(const void *data, const Hit *hit, int *numbers, double *weights, int max);
 };
 
 struct Shape {

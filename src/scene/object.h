@@ -39,6 +39,7 @@ struct Object {
 	Transform transform;              /* own space to the enclosing one */
 	const Texture *texture;           /* NULL: the enclosing object's, at last the default */
 	const Texture *interior_texture;
+	const Texture *const *textures; int texture_count; /* numbered ones: texture_list of meshes, blob components */
 	Transform texture_transform;      /* transforms given after the texture: texture's space to the enclosing one */
 	const Interior *interior;         /* NULL: the enclosing object's */
 	bool inverse;
@@ -53,6 +54,7 @@ struct Object {
 typedef struct Surface {
 	const Texture *texture;          /* never NULL */
 	const Texture *interior_texture; /* or NULL */
+	const Texture *const *textures; int texture_count; /* what the class' textures() numbers; an entry may be NULL */
 	const Transform *attach;         /* from the texture's space to the world; NULL: none */
 	const Interior *interior;        /* or NULL */
 	bool hollow, no_shadow, no_image, no_reflection, no_radiosity, double_illuminate, uv_mapping;
