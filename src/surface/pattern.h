@@ -52,6 +52,8 @@ struct Pattern {
 void pattern_init(Pattern *pattern, const PatternClass *class);
 /* The value with warps, frequency, phase and wave applied: in [0, 1], or an entry's number for list patterns. */
 double pattern_value(const Pattern *pattern, const SurfacePoint *at);
+/* The same at a point that went through pattern_warp_point already. */
+double pattern_value_unwarped(const Pattern *pattern, const SurfacePoint *at);
 /* at->p taken through the warps alone. */
 Vec3 pattern_warp_point(const Pattern *pattern, const SurfacePoint *at);
 

@@ -63,7 +63,8 @@ struct Normal {
 	bool no_bump_scale;
 };
 
-/* The perturbed unit normal (world) for the unit normal at->normal. */
+/* The perturbed normal for the normal n; at->p, n and the result are in the space that the normal block stands in (its
+ * warps lead down from there). Unit, unless no_bump_scale keeps lengths. */
 Vec3 normal_perturb(const Normal *normal, const SurfacePoint *at, Vec3 n);
 
 /* ---- finish ---- */
@@ -84,6 +85,7 @@ typedef struct Finish {
 		float falloff, exponent, metallic;
 	} reflection;
 	struct { float amount, thickness, turbulence; } irid;
+	const struct Interior *interior; /* from words of old versions (ior, caustics, fade_distance in a finish), or NULL */
 } Finish;
 
 Finish finish_default(void);
@@ -127,6 +129,11 @@ typedef struct Shading {
  * texture was attached in to the world (NULL: none). When stacks run out the lightest ones are dropped and the weights
  * rescaled. */
 void texture_shade(const Texture *texture, const Transform *attach, const SurfacePoint *at, Shading *out);
+
+/* True when no place of it lets light through. May say false for an opaque one. */
+bool texture_is_opaque(const Texture *texture);
+/* The interior that old versions' finish words give an object without one; NULL: none. */
+const struct Interior *texture_interior(const Texture *texture);
 
 /* ---- interior ---- */
 
