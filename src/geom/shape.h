@@ -49,6 +49,15 @@ void hit_list_push(HitList *list, Hit hit);
 /* Sorts by increasing t. */
 void hit_list_sort(HitList *list);
 
+enum { SHAPE_MAX_TEXTURES = 16 };
+
+/* Textures that cover a hit, by number, with weights that add up to 1. */
+typedef struct ShapeTextures {
+	int numbers[SHAPE_MAX_TEXTURES];
+	double weights[SHAPE_MAX_TEXTURES];
+	int count;
+} ShapeTextures;
+
 struct ShapeClass {
 	const char *name; /* as in the scene language */
 	/* Bounds in own space; false when unbounded. */
@@ -67,9 +76,12 @@ struct ShapeClass {
 	bool (*nearest)(const Shape *self, const Ray *ray, Hit *out);
 	/* Optional: a smooth shading normal that differs from the geometric one (meshes, height fields); own space. */
 	Vec3 (*shading_normal)(const void *data, const Hit *hit, Vec3 p);
-	/* Optional: which of the owner's several textures cover the hit (meshes with texture_list, blob components): fills up to
-	 * max texture numbers with weights that add up to 1, returns how many; 0: the owner's one texture. */
-	int (*textures)(const void *data, const Hit *hit, int *numbers, double *weights, int max);
+	/* Optional: which of the owner's several textures cover the hit (meshes with texture_list, blob components): fills out,
+	 * returns how many; 0: the owner's one texture. Number -1 stands for the owner's texture. p: the
+	 * hit's place in own space. */
+	int (*textures)(const void *data, const Hit *hit, Vec3 p, ShapeTextures *out);
+	/* inside() can hold outside of bounds(): a disc divides all space. */
+	bool inside_unbounded;
 };
 
 struct Shape {
@@ -99,5 +111,7 @@ bool shape_is_bounded(const Shape *shape);
 Vec3 hit_normal(const Hit *hit, Vec3 world);
 Vec3 hit_shading_normal(const Hit *hit, Vec3 world);
 Vec2 hit_uv(const Hit *hit, Vec3 world);
+/* Which of the owner's numbered textures cover the hit; 0: the owner's one texture alone. */
+int hit_textures(const Hit *hit, Vec3 world, ShapeTextures *out);
 
 #endif

@@ -1,0 +1,15 @@
+/* A sphere. */
+#ifndef GEOM_SPHERE_H
+#define GEOM_SPHERE_H
+
+#include "base/arena.h"
+#include "geom/shape.h"
+
+/* NULL with *error set when the radius is zero. A negative radius counts as positive. */
+const void *sphere_create(Arena *arena, Vec3 center, double radius, const char **error);
+extern const ShapeClass sphere_class;
+
+/* Where a ray crosses a sphere: two parameters, rising; false when it misses. */
+bool sphere_cross(Vec3 center, double radius, const Ray *ray, double t[2]);
+
+#endif

@@ -1,0 +1,12 @@
+/* A superquadric ellipsoid: (|x|^(2/e) + |y|^(2/e))^(e/n) + |z|^(2/n) = 1. */
+#ifndef GEOM_SUPERELLIPSOID_H
+#define GEOM_SUPERELLIPSOID_H
+
+#include "base/arena.h"
+#include "geom/shape.h"
+
+/* NULL with *error set unless both exponents are positive. */
+const void *superellipsoid_create(Arena *arena, double e, double n, const char **error);
+extern const ShapeClass superellipsoid_class;
+
+#endif
