@@ -9,6 +9,7 @@
 #include "base/arena.h"
 #include "geom/shape.h"
 #include "light/light.h"
+#include "scene/photon_settings.h"
 #include "surface/texture.h"
 
 typedef enum ObjectKind {
@@ -27,7 +28,10 @@ typedef struct ObjectFlags {
 	Tristate hollow, no_shadow, no_image, no_reflection, no_radiosity, double_illuminate, uv_mapping;
 	Tristate cutaway_textures, split_union, global_lights;
 	Tristate photons_target, photons_refraction, photons_reflection, photons_collect, photons_pass_through;
+	Tristate relaxation;
 } ObjectFlags;
+
+enum { OBJECT_DEPTH_MAX = 2000 };
 
 typedef struct Object Object;
 struct Object {
@@ -36,6 +40,7 @@ struct Object {
 	const void *data;                 /* PRIMITIVE: the class' data */
 	const Light *light;               /* LIGHT, in this object's own space */
 	const Object *const *children; int child_count;
+	int depth;                        /* levels of children below; at most OBJECT_DEPTH_MAX, flattening recurses */
 	Transform transform;              /* own space to the enclosing one */
 	const Texture *texture;           /* NULL: the enclosing object's, at last the default */
 	const Texture *interior_texture;
@@ -47,7 +52,9 @@ struct Object {
 	const Object *const *clip; int clip_count;
 	const Object *const *bound; int bound_count;
 	bool clip_is_bound;               /* bounded_by { clipped_by } or the other way round */
+	const Object *projected_through;  /* LIGHT; or NULL */
 	double photon_spacing;            /* photons { target X }; 0: unset */
+	const Estimator *estimator;       /* photons { estimator }; or NULL */
 };
 
 /* What a primitive's owner points to. */
@@ -56,20 +63,22 @@ typedef struct Surface {
 	const Texture *interior_texture; /* or NULL */
 	const Texture *const *textures; int texture_count; /* what the class' textures() numbers; an entry may be NULL */
 	const Transform *attach;         /* from the texture's space to the world; NULL: none */
+	const Transform *numbered_attach; /* the same for textures[] */
 	const Interior *interior;        /* or NULL */
 	bool hollow, no_shadow, no_image, no_reflection, no_radiosity, double_illuminate, uv_mapping;
 	bool global_lights;
 	int light_group;                 /* 0: none */
 	bool photons_target, photons_refraction, photons_reflection, photons_collect, photons_pass_through;
 	double photon_spacing;
+	const Estimator *estimator;      /* NULL: the scene's */
+	bool relaxation;                 /* photons that land here may be relaxed */
 	bool opaque;                     /* no texture of it lets light through: shadow rays need not look closer */
 	int id;                          /* of the top-level object, counting from 0 */
 } Surface;
 
 Object object_default(ObjectKind kind);
-
-/* The object tree under node as one shape (a union when it is several), without owner surfaces: for trace(), inside(),
- * min_extent(), object patterns, containers and clips. */
-const Shape *object_shape(Arena *arena, const Object *object);
+/* The object with a further transformation: its texture, clips, bounds and what a light projects through move along. Copies
+ * what it changes into the arena. */
+void object_transform(Arena *arena, Object *object, const Transform *transform);
 
 #endif

@@ -10,6 +10,7 @@
 #include "base/diag.h"
 #include "scene/camera.h"
 #include "scene/object.h"
+#include "scene/photon_settings.h"
 #include "surface/texture.h"
 
 typedef enum FogKind { FOG_CONSTANT = 1, FOG_GROUND = 2 } FogKind;
@@ -45,6 +46,7 @@ typedef struct Settings {
 	int noise_generator;     /* 2 */
 	Rgb irid_wavelength;     /* 0.25 0.18 0.14 */
 	double mm_per_unit;
+	PhotonSettings photons;
 	bool has_radiosity;      /* the scene asks for it */
 	double version;          /* 3.7 */
 	bool cognac;             /* #version unofficial cognac */
@@ -58,7 +60,7 @@ typedef struct SceneBuilder {
 	Settings settings;
 	Camera camera; bool has_camera;
 	Rgbft background; bool has_background;
-	const Object **objects; int object_count, object_capacity; /* top level, lights among them */
+	const Object **objects; int object_count; /* top level, lights among them */
 	const Fog **fogs; int fog_count;
 	const Rainbow **rainbows; int rainbow_count;
 	const SkySphere *sky_sphere;
