@@ -43,6 +43,8 @@ struct Pigment {
 };
 
 Rgbft pigment_color(const Pigment *pigment, const SurfacePoint *at);
+/* True when no place of it lets light through. May say false for an opaque one. */
+bool pigment_is_opaque(const Pigment *pigment);
 
 /* ---- normal: a perturbation of the shading normal ---- */
 
@@ -118,7 +120,8 @@ typedef struct ShadingLayer {
 
 typedef struct ShadingStack { float weight; int first, count; } ShadingStack;
 
-enum { SHADING_MAX_LAYERS = 48, SHADING_MAX_STACKS = 16 };
+/* Averages of a hundred textures stand for blurred reflections in many scenes. */
+enum { SHADING_MAX_LAYERS = 160, SHADING_MAX_STACKS = 128 };
 
 typedef struct Shading {
 	ShadingLayer layers[SHADING_MAX_LAYERS]; int layer_count;
@@ -126,7 +129,7 @@ typedef struct Shading {
 } Shading;
 
 /* Evaluates the texture at a world point; at->p is ignored, at->world used. attach is the transform from the space the
- * texture was attached in to the world (NULL: none). When stacks run out the lightest ones are dropped and the weights
+ * texture was attached in to the world (NULL: none). When stacks run out the later ones are dropped and the weights
  * rescaled. */
 void texture_shade(const Texture *texture, const Transform *attach, const SurfacePoint *at, Shading *out);
 

@@ -1,0 +1,158 @@
+/*
+ * Textures: from a texture and a place to the layers that the integrator lights. A map or an average of textures becomes
+ * several stacks of layers with weights.
+ *
+ * As in POV-Ray, the transformations of a patterned texture move its pattern and the points that the textures inside see, but do
+ * not turn the normals that these bend; a plain texture's transformations do both.
+ */
+#include <math.h>
+
+#include "surface/blend.h"
+#include "surface/image_map.h"
+#include "surface/texture.h"
+
+/* Where a texture is asked: p in the space it stands in; frame leads from there to the space of the normal, world. */
+typedef struct Place {
+	SurfacePoint at;
+	const Transform *frame; /* NULL: none, or inside a patterned texture */
+} Place;
+
+static void shade(const Texture *texture, const Place *place, double weight, Shading *out);
+
+static Vec3 into(const Transform *t, Vec3 n) { return t ? transform_normal_inverse(t, n) : n; }
+static Vec3 out_of(const Transform *t, Vec3 n) { return t ? transform_normal(t, n) : n; }
+
+static Vec3 layer_normal(const Texture *texture, const Place *place, const SurfacePoint *inner)
+{
+	if (!texture->normal)
+		return place->at.normal;
+	Vec3 n = into(texture->transform, into(place->frame, place->at.normal));
+	if (!texture->normal->no_bump_scale)
+		n = vec3_normalize(n);
+	n = normal_perturb(texture->normal, inner, n);
+	return vec3_normalize(out_of(place->frame, out_of(texture->transform, n)));
+}
+
+static SurfacePoint point_inside(const Texture *texture, const Place *place)
+{
+	SurfacePoint inner = place->at;
+	if (texture->transform)
+		inner.p = transform_point_inverse(texture->transform, inner.p);
+	return inner;
+}
+
+static ShadingLayer shade_layer(const Texture *texture, const Place *place)
+{
+	SurfacePoint inner = point_inside(texture, place);
+	return (ShadingLayer){
+		.color = pigment_color(texture->pigment, &inner),
+		.normal = layer_normal(texture, place, &inner),
+		.finish = texture->finish,
+	};
+}
+
+static void shade_plain(const Texture *texture, const Place *place, double weight, Shading *out)
+{
+	if (out->stack_count == SHADING_MAX_STACKS || out->layer_count == SHADING_MAX_LAYERS)
+		return;
+	ShadingStack *stack = &out->stacks[out->stack_count++];
+	*stack = (ShadingStack){(float)weight, out->layer_count, 0};
+	for (; texture && out->layer_count < SHADING_MAX_LAYERS; texture = texture->next) {
+		out->layers[out->layer_count++] = shade_layer(texture, place);
+		stack->count++;
+	}
+}
+
+static void shade_average(const Texture *texture, const Place *inner, double weight, Shading *out)
+{
+	double total = 0;
+	for (int i = 0; i < texture->texture_count; i++)
+		total += texture->textures[i].key;
+	for (int i = 0; total != 0 && i < texture->texture_count; i++)
+		shade(texture->textures[i].texture, inner, weight * texture->textures[i].key / total, out);
+}
+
+static void shade_map(const Texture *texture, const Place *inner, double weight, Shading *out)
+{
+	const TextureEntry *entries = texture->textures;
+	double value = pattern_value_unwarped(&texture->pattern, &inner->at);
+	BlendSpan span = blend_find(entries, sizeof *entries, texture->texture_count, value);
+	shade(entries[span.upper].texture, inner, weight * span.weight, out);
+	if (span.lower != span.upper)
+		shade(entries[span.lower].texture, inner, weight * (1 - span.weight), out);
+}
+
+static void shade_material_map(const Texture *texture, const Place *inner, double weight, Shading *out)
+{
+	int index = image_map_index(texture->image, inner->at.p) % texture->texture_count;
+	shade(texture->textures[index < 0 ? 0 : index].texture, inner, weight, out);
+}
+
+static void shade(const Texture *texture, const Place *place, double weight, Shading *out)
+{
+	if (weight == 0)
+		return;
+	if (texture->kind == TEXTURE_PLAIN) {
+		shade_plain(texture, place, weight, out);
+		return;
+	}
+	Place inner = {point_inside(texture, place), NULL};
+	if (texture->kind == TEXTURE_UV) {
+		inner.at.p = vec3(place->at.uv.u, place->at.uv.v, 0);
+		shade(texture->textures[0].texture, &inner, weight, out);
+		return;
+	}
+	inner.at.p = pattern_warp_point(&texture->pattern, &inner.at);
+	switch (texture->kind) {
+	case TEXTURE_AVERAGE: shade_average(texture, &inner, weight, out); break;
+	case TEXTURE_MATERIAL_MAP: shade_material_map(texture, &inner, weight, out); break;
+	default: shade_map(texture, &inner, weight, out);
+	}
+}
+
+/* Dropped stacks leave their share to the others. */
+static void rescale(Shading *out)
+{
+	float total = 0;
+	for (int i = 0; i < out->stack_count; i++)
+		total += out->stacks[i].weight;
+	for (int i = 0; total > 0 && i < out->stack_count; i++)
+		out->stacks[i].weight /= total;
+}
+
+void texture_shade(const Texture *texture, const Transform *attach, const SurfacePoint *at, Shading *out)
+{
+	Place place = {*at, attach};
+	place.at.p = attach ? transform_point_inverse(attach, at->world) : at->world;
+	out->layer_count = out->stack_count = 0;
+	shade(texture, &place, 1, out);
+	rescale(out);
+}
+
+bool texture_is_opaque(const Texture *texture)
+{
+	if (texture->kind == TEXTURE_PLAIN) {
+		for (; texture; texture = texture->next)
+			if (pigment_is_opaque(texture->pigment))
+				return true;
+		return false;
+	}
+	for (int i = 0; i < texture->texture_count; i++)
+		if (!texture_is_opaque(texture->textures[i].texture))
+			return false;
+	return true;
+}
+
+const struct Interior *texture_interior(const Texture *texture)
+{
+	for (; texture; texture = texture->next) {
+		if (texture->kind == TEXTURE_PLAIN && texture->finish->interior)
+			return texture->finish->interior;
+		for (int i = 0; i < texture->texture_count; i++) {
+			const struct Interior *inside = texture_interior(texture->textures[i].texture);
+			if (inside)
+				return inside;
+		}
+	}
+	return NULL;
+}
