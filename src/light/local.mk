@@ -1,2 +1,2 @@
 noinst_LIBRARIES += liblight.a
-liblight_a_SOURCES = 
+liblight_a_SOURCES = src/light/area.c src/light/area.h src/light/light.c src/light/light.h

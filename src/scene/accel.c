@@ -1,0 +1,407 @@
+/*
+ * Three ways to ask shapes for a ray, chosen by what a scene holds: a plain loop with a box test when there are few bounded
+ * shapes (starting Embree would cost more than it saves), an Embree scene for many, and a list for the unbounded.
+ *
+ * Embree works in single precision, but only to find candidates: boxes are padded by the rounding that can happen, a ray is
+ * started where it enters the scene's box so that a far eye costs no bits, and every crossing is computed in double precision
+ * from the ray carried in the context.
+ */
+#include "scene/accel.h"
+
+#include <embree3/rtcore.h>
+#include <float.h>
+#include <stdint.h>
+#include <stdio.h>
+#include <stdlib.h>
+
+#include "base/arena.h"
+#include "base/parallel.h"
+#include "geom/csg.h"
+#include "geom/mesh.h"
+
+enum {
+	LOOP_SHAPES = 6,        /* so many bounded shapes are asked one by one; measured: Embree wins from 7 on */
+	PARALLEL_BUILD = 20000, /* primitives from which a build in parallel pays for starting threads */
+};
+
+struct Accel {
+	const Shape **unbounded;
+	int unbounded_count;
+	const Shape **bounded; /* all but the meshes that Embree has as triangles */
+	int bounded_count;
+	const Shape **meshes;  /* geometry number i + 1 of the Embree scene, 0 are the bounded ones */
+	int mesh_count;
+	Box3 box;              /* of bounded and meshes */
+	double pad;            /* what single precision can be off by */
+	RTCDevice device;
+	RTCScene scene;        /* NULL: the loop */
+};
+
+/* What travels with a ray through Embree. */
+typedef struct Query {
+	struct RTCIntersectContext embree; /* first: Embree's callbacks get a pointer to it */
+	const Accel *accel;
+	Ray ray;        /* tmax shrinks to the nearest crossing found */
+	double start;   /* parameter of the double ray where Embree's begins */
+	AccelFilter *filter;
+	void *data;
+	Hit best;
+	bool found;
+	bool any;       /* any crossing the filter says yes to ends the search */
+} Query;
+
+/* ---- one shape ---- */
+
+/* The parameter range in which the ray is inside the box, cut with its own; false when empty. */
+static bool box_range(const Box3 *box, const Ray *ray, double *t0, double *t1)
+{
+	double enter = ray->tmin, leave = ray->tmax;
+	const double *o = &ray->origin.x, *d = &ray->direction.x, *lo = &box->lo.x, *hi = &box->hi.x;
+	for (int axis = 0; axis < 3; axis++) {
+		double inverse = 1 / d[axis];
+		double a = (lo[axis] - o[axis]) * inverse, b = (hi[axis] - o[axis]) * inverse;
+		double near = inverse < 0 ? b : a, far = inverse < 0 ? a : b;
+		/* Comparisons are false for NaN (a ray within a face's plane): that axis does not cut. */
+		enter = near > enter ? near : enter;
+		leave = far < leave ? far : leave;
+	}
+	*t0 = enter;
+	*t1 = leave;
+	return enter <= leave;
+}
+
+static void query_take(Query *query, const Hit *hit)
+{
+	query->best = *hit;
+	query->ray.tmax = hit->t;
+	query->found = true;
+}
+
+/* Asks the filter for the crossings behind the one it refused. */
+static bool query_rest(Query *query, const Shape *shape, double after)
+{
+	Ray ray = query->ray;
+	ray.tmin = after + 1e-10 * fmax(1, fabs(after)); /* beyond the refused one, however it was rounded */
+	HitList list;
+	hit_list_init(&list);
+	shape_intersect(shape, &ray, &list);
+	hit_list_sort(&list);
+	bool accepted = false;
+	for (int i = 0; i < list.count && !accepted; i++) {
+		accepted = query->filter(query->data, &query->ray, &list.hits[i]);
+		if (accepted)
+			query_take(query, &list.hits[i]);
+	}
+	hit_list_free(&list);
+	return accepted;
+}
+
+/* True when the shape gave a crossing that counts. */
+static bool query_shape(Query *query, const Shape *shape)
+{
+	Hit hit;
+	if (!shape_nearest(shape, &query->ray, &hit))
+		return false;
+	if (query->filter && !query->filter(query->data, &query->ray, &hit))
+		return query_rest(query, shape, hit.t);
+	query_take(query, &hit);
+	return true;
+}
+
+static bool query_list(Query *query, const Shape *const *shapes, int count, bool boxed)
+{
+	double t0, t1;
+	for (int i = 0; i < count; i++)
+		if ((!boxed || box_range(&shapes[i]->box, &query->ray, &t0, &t1)) && query_shape(query, shapes[i]) &&
+		    query->any)
+			return true;
+	return query->found;
+}
+
+/* ---- Embree's side ---- */
+
+static void bound_shape(const struct RTCBoundsFunctionArguments *args)
+{
+	const Accel *accel = args->geometryUserPtr;
+	const Box3 *box = &accel->bounded[args->primID]->box;
+	args->bounds_o->lower_x = (float)(box->lo.x - accel->pad);
+	args->bounds_o->lower_y = (float)(box->lo.y - accel->pad);
+	args->bounds_o->lower_z = (float)(box->lo.z - accel->pad);
+	args->bounds_o->upper_x = (float)(box->hi.x + accel->pad);
+	args->bounds_o->upper_y = (float)(box->hi.y + accel->pad);
+	args->bounds_o->upper_z = (float)(box->hi.z + accel->pad);
+}
+
+/* The end of Embree's ray for a crossing at t: a little beyond, so that nothing nearer is lost to rounding. */
+static float embree_end(const Query *query, double t)
+{
+	double length = t - query->start;
+	return length < FLT_MAX ? (float)(length * (1 + 1e-6) + query->accel->pad) : FLT_MAX;
+}
+
+static void intersect_shape(const struct RTCIntersectFunctionNArguments *args)
+{
+	Query *query = (Query *)args->context;
+	const Shape *shape = query->accel->bounded[args->primID];
+	double t0, t1;
+	if (!args->valid[0] || !box_range(&shape->box, &query->ray, &t0, &t1) || !query_shape(query, shape))
+		return;
+	struct RTCRayHit *rayhit = (struct RTCRayHit *)args->rayhit;
+	rayhit->ray.tfar = query->any ? -INFINITY : embree_end(query, query->best.t);
+	rayhit->hit.geomID = 0;
+	rayhit->hit.primID = args->primID;
+}
+
+static void occluded_shape(const struct RTCOccludedFunctionNArguments *args)
+{
+	Query *query = (Query *)args->context;
+	const Shape *shape = query->accel->bounded[args->primID];
+	double t0, t1;
+	if (!args->valid[0] || !box_range(&shape->box, &query->ray, &t0, &t1) || !query_shape(query, shape))
+		return;
+	((struct RTCRay *)args->ray)->tfar = -INFINITY;
+}
+
+/* The crossing of the query's ray with a triangle, in double precision and world terms. */
+static bool triangle_hit(const Query *query, const Shape *shape, unsigned triangle, Hit *hit)
+{
+	Ray ray = query->ray;
+	if (shape->transform) {
+		ray.origin = transform_point_inverse(shape->transform, ray.origin);
+		ray.direction = transform_vector_inverse(shape->transform, ray.direction);
+	}
+	if (!mesh_hit_triangle(shape->data, (int)triangle, &ray, hit))
+		return false;
+	hit->shape = shape;
+	return hit->t > query->ray.tmin && hit->t < query->ray.tmax;
+}
+
+/* Embree's filter, called for every triangle that it thinks is hit. */
+static void filter_triangle(const struct RTCFilterFunctionNArguments *args)
+{
+	Query *query = (Query *)args->context;
+	const struct RTCHit *candidate = (const struct RTCHit *)args->hit;
+	Hit hit;
+	bool counts = triangle_hit(query, query->accel->meshes[candidate->geomID - 1], candidate->primID, &hit) &&
+		(!query->filter || query->filter(query->data, &query->ray, &hit));
+	if (counts)
+		query_take(query, &hit);
+	else
+		args->valid[0] = 0;
+}
+
+static struct RTCRay embree_ray(Query *query, double enter, double leave)
+{
+	const Ray *ray = &query->ray;
+	query->start = enter;
+	Vec3 origin = ray_at(ray, enter);
+	return (struct RTCRay){
+		.org_x = (float)origin.x, .org_y = (float)origin.y, .org_z = (float)origin.z,
+		.dir_x = (float)ray->direction.x, .dir_y = (float)ray->direction.y, .dir_z = (float)ray->direction.z,
+		.tnear = 0, .tfar = embree_end(query, leave), .mask = UINT32_MAX,
+	};
+}
+
+static void query_embree(Query *query)
+{
+	double enter, leave;
+	if (!box_range(&query->accel->box, &query->ray, &enter, &leave))
+		return;
+	rtcInitIntersectContext(&query->embree);
+	query->embree.filter = filter_triangle;
+	struct RTCRayHit rayhit = {.ray = embree_ray(query, enter, leave)};
+	rayhit.hit.geomID = RTC_INVALID_GEOMETRY_ID;
+	if (query->any)
+		rtcOccluded1(query->accel->scene, &query->embree, &rayhit.ray);
+	else
+		rtcIntersect1(query->accel->scene, &query->embree, &rayhit);
+}
+
+static bool query_run(Query *query)
+{
+	const Accel *accel = query->accel;
+	if (query_list(query, accel->unbounded, accel->unbounded_count, false) && query->any)
+		return true;
+	if (accel->scene)
+		query_embree(query);
+	else
+		query_list(query, accel->bounded, accel->bounded_count, true);
+	return query->found;
+}
+
+/* ---- building ---- */
+
+static void attach_shapes(Accel *accel)
+{
+	RTCGeometry geometry = rtcNewGeometry(accel->device, RTC_GEOMETRY_TYPE_USER);
+	rtcSetGeometryUserPrimitiveCount(geometry, (unsigned)accel->bounded_count);
+	rtcSetGeometryUserData(geometry, accel);
+	rtcSetGeometryBoundsFunction(geometry, bound_shape, NULL);
+	rtcSetGeometryIntersectFunction(geometry, intersect_shape);
+	rtcSetGeometryOccludedFunction(geometry, occluded_shape);
+	rtcCommitGeometry(geometry);
+	rtcAttachGeometryByID(accel->scene, geometry, 0);
+	rtcReleaseGeometry(geometry);
+}
+
+static void copy_vertices(const Shape *shape, const Mesh *mesh, float *out)
+{
+	for (int i = 0; i < mesh->desc.vertex_count; i++) {
+		const float *v = mesh->desc.vertices[i];
+		Vec3 p = vec3(v[0], v[1], v[2]);
+		if (shape->transform)
+			p = transform_point(shape->transform, p);
+		out[3 * i] = (float)p.x;
+		out[3 * i + 1] = (float)p.y;
+		out[3 * i + 2] = (float)p.z;
+	}
+}
+
+static void attach_mesh(Accel *accel, const Shape *shape, unsigned id)
+{
+	const Mesh *mesh = shape->data;
+	RTCGeometry geometry = rtcNewGeometry(accel->device, RTC_GEOMETRY_TYPE_TRIANGLE);
+	float *vertices = rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3,
+	                                          3 * sizeof(float), (size_t)mesh->desc.vertex_count);
+	copy_vertices(shape, mesh, vertices);
+	unsigned *indices = rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3,
+	                                            3 * sizeof(unsigned), (size_t)mesh->desc.triangle_count);
+	for (int i = 0; i < mesh->desc.triangle_count; i++)
+		for (int k = 0; k < 3; k++)
+			indices[3 * i + k] = (unsigned)mesh->desc.triangles[i][k];
+	rtcCommitGeometry(geometry);
+	rtcAttachGeometryByID(accel->scene, geometry, id);
+	rtcReleaseGeometry(geometry);
+}
+
+static void build_embree(Accel *accel, long primitives)
+{
+	char config[64];
+	int threads = primitives < PARALLEL_BUILD ? 1 : parallel_threads();
+	snprintf(config, sizeof config, "threads=%d", threads);
+	accel->device = rtcNewDevice(config);
+	accel->scene = rtcNewScene(accel->device);
+	rtcSetSceneFlags(accel->scene, RTC_SCENE_FLAG_ROBUST | RTC_SCENE_FLAG_CONTEXT_FILTER_FUNCTION);
+	if (accel->bounded_count)
+		attach_shapes(accel);
+	for (int i = 0; i < accel->mesh_count; i++)
+		attach_mesh(accel, accel->meshes[i], (unsigned)i + 1);
+	rtcCommitScene(accel->scene);
+}
+
+/* Meshes go to Embree as triangles when nothing is cut away from them. */
+static bool is_plain_mesh(const Shape *shape)
+{
+	return shape->class == &mesh_class && !shape->clip_count && !shape->bound_count;
+}
+
+static long sort_shapes(Accel *accel, const Shape *const *shapes, int count)
+{
+	long primitives = 0;
+	for (int i = 0; i < count; i++) {
+		const Shape *shape = shapes[i];
+		if (box3_is_empty(shape->box))
+			continue;
+		if (!shape_is_bounded(shape)) {
+			accel->unbounded[accel->unbounded_count++] = shape;
+			continue;
+		}
+		accel->box = box3_union(accel->box, shape->box);
+		if (is_plain_mesh(shape)) {
+			accel->meshes[accel->mesh_count++] = shape;
+			primitives += ((const Mesh *)shape->data)->desc.triangle_count;
+		} else {
+			accel->bounded[accel->bounded_count++] = shape;
+			primitives++;
+		}
+	}
+	return primitives;
+}
+
+static void pad_box(Accel *accel)
+{
+	Vec3 size = vec3_max(vec3_max(accel->box.hi, vec3_neg(accel->box.lo)), vec3_sub(accel->box.hi, accel->box.lo));
+	accel->pad = 4 * (double)FLT_EPSILON * fmax(size.x, fmax(size.y, size.z));
+	accel->box.lo = vec3_sub(accel->box.lo, vec3_all(accel->pad));
+	accel->box.hi = vec3_add(accel->box.hi, vec3_all(accel->pad));
+}
+
+Accel *accel_create(const Shape *const *shapes, int count)
+{
+	Accel *accel = memory_alloc(sizeof *accel);
+	size_t bytes = sizeof(Shape *) * (size_t)(count > 0 ? count : 1);
+	*accel = (Accel){
+		.unbounded = memory_alloc(bytes), .bounded = memory_alloc(bytes), .meshes = memory_alloc(bytes),
+		.box = box3_empty(),
+	};
+	long primitives = sort_shapes(accel, shapes, count);
+	if (primitives)
+		pad_box(accel);
+	if (accel->mesh_count || accel->bounded_count > LOOP_SHAPES)
+		build_embree(accel, primitives);
+	return accel;
+}
+
+void accel_destroy(Accel *accel)
+{
+	if (!accel)
+		return;
+	if (accel->scene)
+		rtcReleaseScene(accel->scene);
+	if (accel->device)
+		rtcReleaseDevice(accel->device);
+	free(accel->unbounded);
+	free(accel->bounded);
+	free(accel->meshes);
+	free(accel);
+}
+
+/* ---- questions ---- */
+
+bool accel_nearest(const Accel *accel, const Ray *ray, AccelFilter *accept, void *data, Hit *out)
+{
+	Query query = {.accel = accel, .ray = *ray, .filter = accept, .data = data};
+	if (!query_run(&query))
+		return false;
+	*out = query.best;
+	return true;
+}
+
+bool accel_any(const Accel *accel, const Ray *ray, AccelFilter *visit, void *data)
+{
+	Query query = {.accel = accel, .ray = *ray, .filter = visit, .data = data, .any = true};
+	return query_run(&query);
+}
+
+/* The primitive that speaks for a shape at a point inside: of a union the part that holds the point. */
+static const Shape *speaking_primitive(const Shape *shape, Vec3 p)
+{
+	while (shape->class == &csg_union_class || shape->class == &csg_merge_class ||
+	       shape->class == &csg_intersection_class) {
+		const Csg *csg = shape->data;
+		int i = 0;
+		if (shape->class != &csg_intersection_class)
+			while (i + 1 < csg->count && !shape_inside(csg->children[i], p))
+				i++;
+		shape = csg->children[i];
+	}
+	return shape;
+}
+
+static int collect_containing(const Shape *const *shapes, int count, Vec3 p, const Shape **out, int max)
+{
+	int found = 0;
+	for (int i = 0; i < count && found < max; i++)
+		if (box3_contains(shapes[i]->box, p) && shape_inside(shapes[i], p))
+			out[found++] = speaking_primitive(shapes[i], p);
+	return found;
+}
+
+int accel_containing(const Accel *accel, Vec3 p, const Shape **out, int max)
+{
+	int found = collect_containing(accel->unbounded, accel->unbounded_count, p, out, max);
+	if (!box3_contains(accel->box, p))
+		return found;
+	found += collect_containing(accel->bounded, accel->bounded_count, p, out + found, max - found);
+	return found + collect_containing(accel->meshes, accel->mesh_count, p, out + found, max - found);
+}
