@@ -1,0 +1,19 @@
+/* The prism's own functions, for shapes that are made of prisms (text). Space: curves in xz, swept along y. */
+#ifndef GEOM_PRISM_H
+#define GEOM_PRISM_H
+
+#include "base/arena.h"
+#include "geom/outline.h"
+#include "geom/shape.h"
+
+typedef struct Prism Prism;
+
+/* A closed, linear one; the outline's segments must outlive it. */
+Prism *prism_from_outline(Arena *arena, const Outline *outline, double low, double high);
+void prism_box(const Prism *prism, Box3 *box);
+/* Pushes the crossings with hit's shape and v. */
+void prism_cross(const Prism *prism, const Ray *ray, Hit hit, HitList *out);
+bool prism_contains(const Prism *prism, Vec3 p);
+Vec3 prism_outward(const Prism *prism, const Hit *hit, Vec3 p);
+
+#endif
