@@ -31,6 +31,7 @@ const Shape *csg_invert(Arena *arena, const Shape *shape);
 
 /* For shape_finish: bounds of the surface of a CSG shape, whose children are finished. */
 Box3 csg_surface_box(const Shape *shape);
+Box3 csg_region_box(const Shape *shape);
 /* Bounds of where shape_inside holds (infinite for inverted solids). */
 Box3 shape_region_box(const Shape *shape);
 

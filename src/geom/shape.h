@@ -48,6 +48,20 @@ void hit_list_free(HitList *list);
 void hit_list_push(HitList *list, Hit hit);
 /* Sorts by increasing t. */
 void hit_list_sort(HitList *list);
+/* Pushes the crossing at t when it lies between the ray's ends. */
+static inline void hit_list_add(HitList *list, const Ray *ray, const Shape *shape, double t, int part)
+{
+	if (t > ray->tmin && t < ray->tmax)
+		hit_list_push(list, (Hit){.t = t, .shape = shape, .part = part});
+}
+/* For `nearest`: takes the crossing at t when it lies between the ray's ends. */
+static inline bool hit_take(Hit *out, const Ray *ray, const Shape *shape, double t, int part)
+{
+	if (!(t > ray->tmin && t < ray->tmax))
+		return false;
+	*out = (Hit){.t = t, .shape = shape, .part = part};
+	return true;
+}
 
 enum { SHAPE_MAX_TEXTURES = 16 };
 
@@ -77,8 +91,7 @@ struct ShapeClass {
 	/* Optional: a smooth shading normal that differs from the geometric one (meshes, height fields); own space. */
 	Vec3 (*shading_normal)(const void *data, const Hit *hit, Vec3 p);
 	/* Optional: which of the owner's several textures cover the hit (meshes with texture_list, blob components): fills out,
-	 * returns how many; 0: the owner's one texture. Number -1 stands for the owner's texture. p: the
-	 * hit's place in own space. */
+	 * returns how many; 0: the owner's one texture. Number -1 stands for the owner's texture. p: the hit's place in own space. */
 	int (*textures)(const void *data, const Hit *hit, Vec3 p, ShapeTextures *out);
 	/* inside() can hold outside of bounds(): a disc divides all space. */
 	bool inside_unbounded;

@@ -1,0 +1,37 @@
+/* The slab test of a ray against world boxes, for many boxes a ray. Internal to geom. */
+#ifndef GEOM_RAY_BOX_H
+#define GEOM_RAY_BOX_H
+
+#include "geom/shape.h"
+
+typedef struct RaySlabs {
+	Vec3 origin, inverse; /* 1 / direction; infinite for a direction in the plane of the slab */
+	double tmin, tmax;
+} RaySlabs;
+
+static inline RaySlabs ray_slabs(const Ray *ray)
+{
+	Vec3 d = ray->direction;
+	return (RaySlabs){ray->origin, vec3(1 / d.x, 1 / d.y, 1 / d.z), ray->tmin, ray->tmax};
+}
+
+/* A NaN, from a ray in the very plane of a slab's side, leaves the interval as it is. */
+static inline void ray_slabs_clip(double lo, double hi, double origin, double inverse, double t[2])
+{
+	double a = (lo - origin) * inverse, b = (hi - origin) * inverse;
+	double near = a < b ? a : b, far = a < b ? b : a;
+	t[0] = near > t[0] ? near : t[0];
+	t[1] = far < t[1] ? far : t[1];
+}
+
+/* True when the ray may hit something in the box, which should be a little larger than what it holds. */
+static inline bool ray_slabs_hit(const RaySlabs *ray, const Box3 *box)
+{
+	double t[2] = {ray->tmin, ray->tmax};
+	ray_slabs_clip(box->lo.x, box->hi.x, ray->origin.x, ray->inverse.x, t);
+	ray_slabs_clip(box->lo.y, box->hi.y, ray->origin.y, ray->inverse.y, t);
+	ray_slabs_clip(box->lo.z, box->hi.z, ray->origin.z, ray->inverse.z, t);
+	return t[0] <= t[1];
+}
+
+#endif

@@ -1,0 +1,93 @@
+#include "geom/sphere.h"
+
+typedef struct Sphere {
+	Vec3 center;
+	double radius;
+} Sphere;
+
+const void *sphere_create(Arena *arena, Vec3 center, double radius, const char **error)
+{
+	if (radius == 0) {
+		*error = "a sphere needs a radius";
+		return NULL;
+	}
+	Sphere *sphere = ARENA_NEW(arena, Sphere);
+	*sphere = (Sphere){center, fabs(radius)};
+	return sphere;
+}
+
+/* From the point of the line nearest to the centre, which keeps far origins exact. */
+bool sphere_cross(Vec3 center, double radius, const Ray *ray, double t[2])
+{
+	Vec3 from = vec3_sub(ray->origin, center);
+	double speed2 = vec3_length2(ray->direction), middle = -vec3_dot(from, ray->direction) / speed2;
+	Vec3 nearest = vec3_mad(from, middle, ray->direction);
+	double left = radius * radius - vec3_length2(nearest);
+	if (!(left > 0))
+		return false;
+	double half = sqrt(left / speed2);
+	t[0] = middle - half;
+	t[1] = middle + half;
+	return true;
+}
+
+static bool sphere_bounds(const void *data, Box3 *box)
+{
+	const Sphere *sphere = data;
+	Vec3 half = vec3_all(sphere->radius);
+	*box = (Box3){vec3_sub(sphere->center, half), vec3_add(sphere->center, half)};
+	return true;
+}
+
+static void sphere_intersect(const Shape *self, const Ray *ray, HitList *out)
+{
+	const Sphere *sphere = self->data;
+	double t[2];
+	if (!sphere_cross(sphere->center, sphere->radius, ray, t))
+		return;
+	hit_list_add(out, ray, self, t[0], 0);
+	hit_list_add(out, ray, self, t[1], 0);
+}
+
+static bool sphere_nearest(const Shape *self, const Ray *ray, Hit *out)
+{
+	const Sphere *sphere = self->data;
+	double t[2];
+	if (!sphere_cross(sphere->center, sphere->radius, ray, t))
+		return false;
+	return hit_take(out, ray, self, t[0], 0) || hit_take(out, ray, self, t[1], 0);
+}
+
+static bool sphere_inside(const void *data, Vec3 p)
+{
+	const Sphere *sphere = data;
+	return vec3_length2(vec3_sub(p, sphere->center)) < sphere->radius * sphere->radius;
+}
+
+static Vec3 sphere_normal(const void *data, const Hit *hit, Vec3 p)
+{
+	(void)hit;
+	return vec3_sub(p, ((const Sphere *)data)->center);
+}
+
+/* u goes round from the x axis towards z, v from the south pole to the north. */
+static Vec2 sphere_uv(const void *data, const Hit *hit, Vec3 p)
+{
+	const Sphere *sphere = data;
+	(void)hit;
+	Vec3 at = vec3_scale(vec3_sub(p, sphere->center), 1 / sphere->radius);
+	double angle = atan2(at.z, at.x);
+	if (angle < 0)
+		angle += 2 * M_PI;
+	return (Vec2){angle / (2 * M_PI), 0.5 + asin(fmax(-1, fmin(1, at.y))) / M_PI};
+}
+
+const ShapeClass sphere_class = {
+	.name = "sphere",
+	.bounds = sphere_bounds,
+	.intersect = sphere_intersect,
+	.inside = sphere_inside,
+	.normal = sphere_normal,
+	.uv = sphere_uv,
+	.nearest = sphere_nearest,
+};

@@ -1,0 +1,147 @@
+/* CSG: analytic intervals, De Morgan's laws under inversion, and many children. */
+#include "geom/csg.h"
+
+#include "geom/box.h"
+#include "geom/plane.h"
+#include "geom/sphere.h"
+#include "tests/unit/shape_check.h"
+
+static const char *message;
+
+static Shape *new_shape(Arena *arena, const ShapeClass *class, const void *data)
+{
+	Shape *shape = ARENA_NEW(arena, Shape);
+	*shape = test_shape(class, data);
+	return shape;
+}
+
+static Shape *new_sphere(Arena *arena, Vec3 center, double radius)
+{
+	return new_shape(arena, &sphere_class, sphere_create(arena, center, radius, &message));
+}
+
+static Shape *new_csg(Arena *arena, const ShapeClass *class, const Shape *a, const Shape *b)
+{
+	const Shape **children = ARENA_ARRAY(arena, const Shape *, 2);
+	children[0] = a;
+	children[1] = b;
+	return new_shape(arena, class, csg_create(arena, children, 2));
+}
+
+static Shape *new_inverse(Arena *arena, const Shape *shape)
+{
+	Shape *copy = arena_copy(arena, shape, sizeof(*shape));
+	copy->inverted = !copy->inverted;
+	shape_finish(copy);
+	return copy;
+}
+
+/* Crossings along the x axis from x = -10. */
+static void check_axis(const Shape *shape, const double *expected, int count)
+{
+	Ray ray = {{-10, 0, 0}, {1, 0, 0}, 0, INFINITY};
+	HitList list;
+	hit_list_init(&list);
+	shape_intersect(shape, &ray, &list);
+	hit_list_sort(&list);
+	CHECK(list.count == count);
+	for (int i = 0; i < count && i < list.count; i++)
+		CHECK_NEAR(list.hits[i].t - 10, expected[i], 1e-12);
+	Hit hit;
+	CHECK(shape_nearest(shape, &ray, &hit) == (count > 0));
+	if (count > 0)
+		CHECK_NEAR(hit.t - 10, expected[0], 1e-12);
+	hit_list_free(&list);
+}
+
+static void test_operations(Arena *arena)
+{
+	Shape *a = new_sphere(arena, vec3(0, 0, 0), 2), *b = new_sphere(arena, vec3(1, 0, 0), 2);
+	check_axis(new_csg(arena, &csg_union_class, a, b), (double[]){-2, -1, 2, 3}, 4);
+	check_axis(new_csg(arena, &csg_merge_class, a, b), (double[]){-2, 3}, 2);
+	check_axis(new_csg(arena, &csg_intersection_class, a, b), (double[]){-1, 2}, 2);
+	Shape *difference = new_csg(arena, &csg_intersection_class, a, new_inverse(arena, b));
+	check_axis(difference, (double[]){-2, -1}, 2);
+	CHECK_NEAR(difference->box.hi.x, 2, 1e-6);
+	/* The cut surface belongs to the inverted child and points out of the whole. */
+	Ray ray = {{0, 0, 0}, {-1, 0, 0}, 0, INFINITY};
+	Hit hit;
+	CHECK(shape_nearest(difference, &ray, &hit));
+	CHECK_NEAR(hit_normal(&hit, ray_at(&ray, hit.t)).x, 1, 1e-12);
+	Shape *lens = new_csg(arena, &csg_intersection_class, a, b);
+	CHECK_NEAR(lens->box.lo.x, -1, 1e-6);
+	CHECK_NEAR(lens->box.hi.x, 2, 1e-6);
+}
+
+/* inverse(union) is the intersection of inverses; the flag and the deep copy must agree. */
+static void test_inversion(Arena *arena)
+{
+	Shape *a = new_sphere(arena, vec3(0, 0, 0), 2), *b = new_sphere(arena, vec3(1, 0, 0), 2);
+	Shape *big = new_sphere(arena, vec3(0, 0, 0), 5);
+	const ShapeClass *classes[] = {&csg_union_class, &csg_merge_class, &csg_intersection_class};
+	const double cut[3][6] = {{-5, -2, 3, 5}, {-5, -2, 3, 5}, {-5, -1, 2, 5}};
+	for (int i = 0; i < 3; i++) {
+		Shape *hole = new_csg(arena, classes[i], a, b);
+		Shape *flagged = new_csg(arena, &csg_intersection_class, big, new_inverse(arena, hole));
+		const Shape *copy = new_csg(arena, &csg_intersection_class, big, csg_invert(arena, hole));
+		check_axis(flagged, cut[i], 4);
+		check_axis(copy, cut[i], 4);
+		CHECK(flagged->box.hi.x < 5.1 && copy->box.hi.x < 5.1);
+		for (int n = 0; n < 500; n++) {
+			Sampler sampler = {3, (uint64_t)n, 0};
+			Vec3 p = test_point(&sampler, 4);
+			CHECK(shape_inside(flagged, p) == shape_inside(copy, p));
+			CHECK(shape_inside(new_inverse(arena, hole), p) != shape_inside(hole, p));
+		}
+		check_shape(copy, &(ShapeTraits){.name = "inverted csg", .size = 5, .step = 1e-6, .fixed = true}, 500);
+	}
+}
+
+/* A block with a grid of holes: the tree must find what a plain list of children finds. */
+static void test_many_children(Arena *arena)
+{
+	enum { SIDE = 8, COUNT = SIDE * SIDE };
+	const Shape **holes = ARENA_ARRAY(arena, const Shape *, COUNT);
+	for (int i = 0; i < COUNT; i++)
+		holes[i] = new_sphere(arena, vec3(i % SIDE - 3.5, i / SIDE - 3.5, 1), 0.45);
+	Csg plain = {.children = holes, .count = COUNT};
+	Shape *with_tree = new_shape(arena, &csg_union_class, csg_create(arena, holes, COUNT));
+	Shape *without = new_shape(arena, &csg_union_class, &plain);
+	Shape *block = new_shape(arena, &box_class, box_create(arena, vec3(-4, -4, -1), vec3(4, 4, 1), &message));
+	Shape *one = new_csg(arena, &csg_intersection_class, block, new_inverse(arena, with_tree));
+	Shape *other = new_csg(arena, &csg_intersection_class, block, new_inverse(arena, without));
+	for (int n = 0; n < 2000; n++) {
+		Sampler sampler = {5, (uint64_t)n, 0};
+		Ray ray = test_ray(&sampler, 4);
+		Hit a, b;
+		bool found = shape_nearest(one, &ray, &a);
+		CHECK(shape_nearest(other, &ray, &b) == found);
+		CHECK(!found || (a.t == b.t && a.shape == b.shape));
+	}
+	const Shape *drilled = new_csg(arena, &csg_intersection_class, block, csg_invert(arena, with_tree));
+	check_shape(drilled, &(ShapeTraits){.name = "block with holes", .size = 4, .step = 1e-6, .fixed = true}, 1000);
+	const Shape *deep = csg_invert(arena, csg_invert(arena, drilled));
+	check_shape(deep, &(ShapeTraits){.name = "inverted twice", .size = 4, .step = 1e-6, .fixed = true}, 1000);
+}
+
+static void test_nested(Arena *arena)
+{
+	Shape *shell = new_csg(arena, &csg_intersection_class, new_sphere(arena, vec3_all(0), 3),
+	                       new_inverse(arena, new_sphere(arena, vec3_all(0), 2)));
+	Shape *half = new_shape(arena, &plane_class, plane_create(arena, vec3(1, 0, 0), 0.5, &message));
+	check_axis(new_csg(arena, &csg_intersection_class, shell, half), (double[]){-3, -2}, 2);
+	Shape *rest = new_csg(arena, &csg_intersection_class, new_sphere(arena, vec3_all(0), 4), csg_invert(arena, shell));
+	check_axis(rest, (double[]){-4, -3, -2, 2, 3, 4}, 6);
+	check_shape(rest, &(ShapeTraits){.name = "nested", .size = 4, .step = 1e-6, .fixed = true}, 1000);
+}
+
+int main(void)
+{
+	Arena *arena = arena_create();
+	test_operations(arena);
+	test_inversion(arena);
+	test_many_children(arena);
+	test_nested(arena);
+	arena_destroy(arena);
+	return CHECK_RESULT();
+}
