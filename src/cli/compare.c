@@ -1,0 +1,191 @@
+/* cognac-compare: how far two pictures differ, in numbers and as a map. */
+#include <getopt.h>
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "config.h"
+#include "image/compare.h"
+#include "image/exr.h"
+#include "image/write.h"
+
+typedef struct Task {
+	const char *image, *reference, *layer, *map;
+	bool json, halve, crop;
+	int x, y, width, height;
+} Task;
+
+static void print_usage(FILE *out)
+{
+	fputs("usage: cognac-compare [OPTION]... IMAGE REFERENCE\n"
+	      "Prints how far IMAGE is from REFERENCE (PNG, OpenEXR, JPEG, TIFF, TGA, PPM ...).\n"
+	      "\n"
+	      "      --crop X,Y,W,H   compare only this part\n"
+	      "      --halve          halve both sizes first\n"
+	      "      --json           print one JSON object\n"
+	      "      --layer NAME     compare this layer of OpenEXR files\n"
+	      "      --map OUT.png    draw the differences in false colours\n"
+	      "      --help           print this and exit\n"
+	      "      --version        print the version and exit\n",
+	      out);
+}
+
+/* A layer's channels in the order R, G, B, or the only one it has. NULL, reported, when it is not there. */
+static Image *layer_image(const ExrImage *exr, const char *path, const char *layer, Diag *diag)
+{
+	static const char *const endings[] = {"R", "G", "B", "X", "Y", "Z", "V"};
+	const ExrChannel *found[3];
+	int count = 0;
+	for (size_t i = 0; i < sizeof endings / sizeof *endings && count < 3; i++) {
+		char name[256];
+		snprintf(name, sizeof name, "%s.%s", layer, endings[i]);
+		const ExrChannel *channel = exr_find(exr, name);
+		if (channel)
+			found[count++] = channel;
+	}
+	if (count == 0 && exr_find(exr, layer))
+		found[count++] = exr_find(exr, layer);
+	if (count == 0) {
+		diag_fail(diag, "%s: no layer %s", path, layer);
+		return NULL;
+	}
+	Image *image = calloc(1, sizeof *image);
+	*image = (Image){.width = exr->width, .height = exr->height, .channels = count < 3 ? 1 : 3, .linear = true};
+	size_t pixels = (size_t)image->width * image->height;
+	image->pixels = calloc(pixels * image->channels, sizeof *image->pixels);
+	for (size_t i = 0; i < pixels; i++)
+		for (int c = 0; c < image->channels; c++)
+			image->pixels[i * image->channels + c] = found[c]->data[i];
+	return image;
+}
+
+static Image *read_layer(const char *path, const char *layer, Diag *diag)
+{
+	ExrImage *exr = exr_read(path, diag);
+	Image *image = exr ? layer_image(exr, path, layer, diag) : NULL;
+	exr_destroy(exr);
+	return image;
+}
+
+static Image *replace(Image *old, Image *by)
+{
+	image_destroy(old);
+	return by;
+}
+
+/* One of the two pictures as the task wants it, or NULL, reported. */
+static Image *prepare(const char *path, const Task *task, Diag *diag)
+{
+	bool colors = !task->layer || strcmp(task->layer, "RGBA") == 0;
+	Image *image = colors ? image_read(path, diag) : read_layer(path, task->layer, diag);
+	if (image && task->crop) {
+		if (task->x + task->width > image->width || task->y + task->height > image->height) {
+			diag_fail(diag, "%s: the part lies outside the %d x %d pixels", path, image->width, image->height);
+			image_destroy(image);
+			return NULL;
+		}
+		image = replace(image, image_crop(image, task->x, task->y, task->width, task->height));
+	}
+	if (image && task->halve && image->width > 1 && image->height > 1)
+		image = replace(image, image_halve(image));
+	return image;
+}
+
+static void print_difference(const ImageDifference *d, bool json)
+{
+	const struct { const char *name; double value; } rows[] = {
+		{"MSE", d->mse}, {"RMSE", d->rmse}, {"MRSE", d->mrse}, {"SMAPE", d->smape},
+		{"PSNR", d->psnr}, {"SSIM", d->ssim}, {"DSSIM", d->dssim},
+	};
+	for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {
+		if (!json)
+			printf("%s %.9g\n", rows[i].name, rows[i].value);
+		else if (isfinite(rows[i].value))
+			printf("%s\"%s\": %.9g", i ? ", " : "{", rows[i].name, rows[i].value);
+		else
+			printf("%s\"%s\": null", i ? ", " : "{", rows[i].name); /* JSON knows no infinity */
+	}
+	if (json)
+		puts("}");
+}
+
+static bool write_map(const Task *task, const Image *image, const Image *reference, Diag *diag)
+{
+	Image *map = image_difference_map(image, reference, 1);
+	ImageEncoding encoding = {.format = IMAGE_PNG, .bits = 8, .gamma = 0};
+	bool good = image_write(task->map, &encoding, map, diag);
+	image_destroy(map);
+	return good;
+}
+
+static bool run(const Task *task, Diag *diag)
+{
+	Image *image = prepare(task->image, task, diag);
+	Image *reference = image ? prepare(task->reference, task, diag) : NULL;
+	ImageDifference difference;
+	bool good = reference && image_compare(image, reference, &difference, diag);
+	if (good)
+		print_difference(&difference, task->json);
+	if (good && task->map)
+		good = write_map(task, image, reference, diag);
+	image_destroy(image);
+	image_destroy(reference);
+	return good && fflush(stdout) == 0;
+}
+
+static bool read_crop(const char *text, Task *task)
+{
+	char rest;
+	task->crop = sscanf(text, "%d,%d,%d,%d%c", &task->x, &task->y, &task->width, &task->height, &rest) == 4;
+	return task->crop && task->x >= 0 && task->y >= 0 && task->width > 0 && task->height > 0;
+}
+
+enum { OPTION_CROP = 1, OPTION_HALVE, OPTION_JSON, OPTION_LAYER, OPTION_MAP, OPTION_HELP, OPTION_VERSION };
+
+/* 0 go on, 1 done well, -1 a mistake. */
+static int read_options(int argc, char **argv, Task *task)
+{
+	static const struct option options[] = {
+		{"crop", required_argument, NULL, OPTION_CROP}, {"halve", no_argument, NULL, OPTION_HALVE},
+		{"json", no_argument, NULL, OPTION_JSON}, {"layer", required_argument, NULL, OPTION_LAYER},
+		{"map", required_argument, NULL, OPTION_MAP}, {"help", no_argument, NULL, OPTION_HELP},
+		{"version", no_argument, NULL, OPTION_VERSION}, {NULL, 0, NULL, 0},
+	};
+	int option;
+	while ((option = getopt_long(argc, argv, "", options, NULL)) != -1) {
+		switch (option) {
+		case OPTION_HALVE: task->halve = true; break;
+		case OPTION_JSON: task->json = true; break;
+		case OPTION_LAYER: task->layer = optarg; break;
+		case OPTION_MAP: task->map = optarg; break;
+		case OPTION_HELP: print_usage(stdout); return 1;
+		case OPTION_VERSION: puts("cognac-compare " PACKAGE_VERSION); return 1;
+		case OPTION_CROP:
+			if (read_crop(optarg, task))
+				break;
+			fprintf(stderr, "cognac-compare: --crop wants X,Y,W,H, not %s\n", optarg);
+			return -1;
+		default: return -1;
+		}
+	}
+	if (argc - optind != 2) {
+		print_usage(stderr);
+		return -1;
+	}
+	task->image = argv[optind];
+	task->reference = argv[optind + 1];
+	return 0;
+}
+
+int main(int argc, char **argv)
+{
+	Task task = {0};
+	int state = read_options(argc, argv, &task);
+	if (state != 0)
+		return state < 0;
+	Diag *diag = diag_create(stderr);
+	bool good = run(&task, diag);
+	diag_destroy(diag);
+	return good ? EXIT_SUCCESS : EXIT_FAILURE;
+}
