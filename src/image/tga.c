@@ -87,10 +87,13 @@ static void store_pixel(Image *image, const Header *h, size_t i, const float val
 		image->pixels[at * image->channels + c] = value[c];
 }
 
-static void read_pixels(ImageBytes *bytes, const Header *h, Image *image)
+/* False when the file ends before the picture does. */
+static bool read_pixels(ImageBytes *bytes, const Header *h, Image *image)
 {
 	size_t total = (size_t)image->width * image->height;
-	for (size_t i = 0; i < total && bytes->at < bytes->size;) {
+	for (size_t i = 0; i < total;) {
+		if (!image_bytes_has(bytes, 1))
+			return false;
 		int packet = h->kind & KIND_RLE ? image_bytes_u8(bytes) : 127;
 		int count = (packet & 127) + 1;
 		float value[4];
@@ -101,6 +104,7 @@ static void read_pixels(ImageBytes *bytes, const Header *h, Image *image)
 			store_pixel(image, h, i, value, index);
 		}
 	}
+	return true;
 }
 
 static bool read_palette(ImageBytes *bytes, const Header *h, Image *image)
@@ -129,11 +133,10 @@ Image *image_decode_tga(ImageBytes *bytes, Diag *diag)
 	bool good = !palette || read_palette(bytes, &h, image);
 	if (good && !palette && h.has_map)
 		bytes->at += (size_t)h.map_count * (size_t)((h.map_bits + 7) / 8);
-	if (good)
-		read_pixels(bytes, &h, image);
+	good = good && read_pixels(bytes, &h, image);
 	if (good && palette)
 		image_expand_palette(image);
-	if (!good || bytes->at > bytes->size) {
+	if (!good) {
 		diag_fail(diag, "%s: broken TGA", bytes->path);
 		image_destroy(image);
 		return NULL;

@@ -3,6 +3,7 @@
 #include <assert.h>
 #include <stdlib.h>
 
+#include "base/arena.h"
 #include "image/encode.h"
 #include "image/exr.h"
 #include "image/file.h"
@@ -28,15 +29,29 @@ const char *image_format_extension(ImageFormat format)
 	return writers[format].extension;
 }
 
+/* OpenEXR wants colours multiplied by alpha. */
+static float *premultiplied(const Image *image)
+{
+	size_t count = (size_t)image->width * image->height;
+	float *pixels = memory_alloc(count * 4 * sizeof *pixels);
+	for (size_t i = 0; i < 4 * count; i++)
+		pixels[i] = image->pixels[i] * (i % 4 == 3 ? 1 : image->pixels[i | 3]);
+	return pixels;
+}
+
 static bool write_exr(const char *path, const ImageEncoding *encoding, const Image *image, Diag *diag)
 {
 	static const char *const names[] = {"R", "G", "B", "A"};
 	ExrChannel channels[4];
 	ExrImage exr = {.width = image->width, .height = image->height, .channels = channels};
 	exr.channel_count = encoding->alpha ? 4 : 3;
+	float *pixels = encoding->alpha ? premultiplied(image) : image->pixels;
 	for (int c = 0; c < 4; c++)
-		channels[c] = (ExrChannel){.name = names[c], .data = image->pixels + c, .stride = 4, .half = true};
-	return exr_write(path, &exr, diag);
+		channels[c] = (ExrChannel){.name = names[c], .data = pixels + c, .stride = 4, .half = true};
+	bool good = exr_write(path, &exr, diag);
+	if (encoding->alpha)
+		free(pixels);
+	return good;
 }
 
 bool image_write(const char *path, const ImageEncoding *encoding, const Image *image, Diag *diag)
