@@ -156,8 +156,10 @@ bool mesh_hit_triangle(const Mesh *mesh, int triangle, const Ray *ray, Hit *hit)
 {
 	Vec3 a = vertex(mesh, triangle, 0);
 	Corners corners = {a, vec3_sub(vertex(mesh, triangle, 1), a), vec3_sub(vertex(mesh, triangle, 2), a)};
+	if (!hit_corners(&corners, ray, hit))
+		return false;
 	hit->part = triangle;
-	return hit_corners(&corners, ray, hit);
+	return true;
 }
 
 static bool mesh_bounds(const void *data, Box3 *box)

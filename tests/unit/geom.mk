@@ -8,3 +8,6 @@ tests_unit_test_shapes_LDADD = libgeom.a libbase.a
 check_PROGRAMS += tests/unit/test_csg
 tests_unit_test_csg_SOURCES = tests/unit/test_csg.c tests/unit/shape_check.h tests/unit/check.h
 tests_unit_test_csg_LDADD = libgeom.a libbase.a
+check_PROGRAMS += tests/unit/test_sweep
+tests_unit_test_sweep_SOURCES = tests/unit/test_sweep.c tests/unit/shape_check.h tests/unit/check.h
+tests_unit_test_sweep_LDADD = libgeom.a libbase.a $(FREETYPE_LIBS)
