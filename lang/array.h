@@ -14,6 +14,7 @@ struct Array {
 	int dimensions;
 	int size[ARRAY_MAX_DIMENSIONS];
 	long length;     /* product of the sizes */
+	ValueKind kind;  /* of the first element set; NONE before */
 	Value *elements; /* row by row: the last subscript runs fastest; VALUE_NONE where not set */
 };
 

@@ -14,6 +14,9 @@
 
 typedef struct SymbolTable SymbolTable; /* lang/symbol.h */
 typedef struct Reader Reader;           /* parser/reader.h */
+struct RandomStreams;                   /* lang/builtin.h */
+struct ShapeCache;                      /* lang/builtin.h */
+struct FunctionScope;                   /* lang/function.h */
 
 /* Which defaults `#default { }` has set. Pointers into the scene arena; never NULL after lang_context_init. */
 typedef struct Defaults {
@@ -41,6 +44,12 @@ typedef struct Context {
 	unsigned unsupported;  /* features a warning was given about: a bit each (lang/build_media.h) */
 	bool allow_write_anywhere; /* #fopen for writing outside the working directory */
 	const char *const *library_paths; int library_path_count;
+	const char *const *read_paths; int read_path_count; /* what scenes may read; none: everything */
+	const char *input_file_name;
+	struct RandomStreams *random;    /* what seed() has started; NULL before the first */
+	struct ShapeCache *shapes;       /* objects that trace() and its like have met; NULL before the first */
+	struct FunctionScope *functions; /* the open function bodies, innermost first; NULL outside */
+	SceneFile *files;                /* the open ones */
 } Context;
 
 #endif

@@ -12,6 +12,9 @@
 #include "lang/value.h"
 #include "lang/word.h"
 
+/* A boolean of the language: true when the number is not within 1e-10 of 0. */
+static inline bool expression_is_true(double x) { return fabs(x) > 1e-10; }
+
 typedef enum Operator {
 	OP_ADD, OP_SUB, OP_MUL, OP_DIV, OP_NEG, OP_PLUS, OP_NOT, OP_LESS, OP_LESS_EQUAL, OP_EQUAL, OP_NOT_EQUAL,
 	OP_GREATER_EQUAL, OP_GREATER, OP_AND, OP_OR

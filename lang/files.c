@@ -1,0 +1,252 @@
+#include "lang/files.h"
+
+#include <ctype.h>
+#include <errno.h>
+#include <limits.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+/* Longest number or string that #read takes. */
+enum { TOKEN_LIMIT = 4096 };
+
+struct SceneFile {
+	FILE *stream; /* NULL once closed */
+	FileMode mode;
+	const char *path;
+	SceneFile *next;
+};
+
+/* ---- where files may be ---- */
+
+/* The real path of what the path names or, for a file to be made, of its folder with the name after it. */
+static bool real_path(const char *path, char out[PATH_MAX])
+{
+	if (realpath(path, out))
+		return true;
+	const char *slash = strrchr(path, '/'), *name = slash ? slash + 1 : path;
+	char folder[PATH_MAX], real_folder[PATH_MAX];
+	int length = slash ? (int)(slash - path) : 1;
+	if (snprintf(folder, sizeof folder, "%.*s", length, slash ? path : ".") >= PATH_MAX || *name == '\0' ||
+	    strcmp(name, "..") == 0)
+		return false;
+	if (!realpath(length ? folder : "/", real_folder))
+		return false;
+	return snprintf(out, PATH_MAX, "%s/%s", real_folder, name) < PATH_MAX;
+}
+
+static bool lies_below(const char *real, const char *folder)
+{
+	char top[PATH_MAX];
+	if (!realpath(folder, top))
+		return false;
+	size_t length = strlen(top);
+	return strcmp(top, "/") == 0 || (strncmp(real, top, length) == 0 && (real[length] == '/' || real[length] == '\0'));
+}
+
+bool files_may_read(Context *context, const char *path, Location where)
+{
+	char real[PATH_MAX];
+	if (context->read_path_count == 0)
+		return true;
+	bool known = real_path(path, real);
+	for (int i = 0; known && i < context->read_path_count; i++)
+		if (lies_below(real, context->read_paths[i]))
+			return true;
+	for (int i = 0; known && i < context->library_path_count; i++)
+		if (lies_below(real, context->library_paths[i]))
+			return true;
+	diag_error(context->diag, where, "reading '%s' is not allowed", path);
+	return false;
+}
+
+static bool may_write(Context *context, const char *path, Location where)
+{
+	char real[PATH_MAX];
+	if (context->allow_write_anywhere || (real_path(path, real) && lies_below(real, ".")))
+		return true;
+	diag_error(context->diag, where, "writing '%s' is not allowed: it is outside the working directory", path);
+	return false;
+}
+
+static bool is_file(const char *path)
+{
+	struct stat status;
+	return stat(path, &status) == 0 && !S_ISDIR(status.st_mode);
+}
+
+const char *files_find(Context *context, const char *name)
+{
+	if (is_file(name))
+		return arena_strdup(context->parse, name);
+	for (int i = 0; *name != '/' && i < context->library_path_count; i++) {
+		const char *path = arena_printf(context->parse, "%s/%s", context->library_paths[i], name);
+		if (is_file(path))
+			return path;
+	}
+	return NULL;
+}
+
+/* ---- opening and closing ---- */
+
+SceneFile *files_open(Context *context, const char *path, FileMode mode, Location where)
+{
+	const char *found = mode == FILE_READ ? files_find(context, path) : path;
+	if (!found) {
+		diag_error(context->diag, where, "no file '%s'", path);
+		return NULL;
+	}
+	if (mode == FILE_READ ? !files_may_read(context, found, where) : !may_write(context, found, where))
+		return NULL;
+	FILE *stream = fopen(found, mode == FILE_READ ? "r" : mode == FILE_WRITE ? "w" : "a");
+	if (!stream) {
+		diag_error(context->diag, where, "cannot open '%s': %s", path, strerror(errno));
+		return NULL;
+	}
+	SceneFile *file = ARENA_NEW(context->parse, SceneFile);
+	*file = (SceneFile){stream, mode, arena_strdup(context->parse, path), context->files};
+	context->files = file;
+	return file;
+}
+
+void files_close(SceneFile *file)
+{
+	if (file->stream)
+		fclose(file->stream);
+	file->stream = NULL;
+}
+
+void files_close_all(Context *context)
+{
+	for (SceneFile *file = context->files; file; file = file->next)
+		files_close(file);
+	context->files = NULL;
+}
+
+/* ---- reading ---- */
+
+/* The next character that is no blank, and no comma if commas do not count; EOF at the end. It stays in the stream. */
+static int peek_past_blanks(FILE *stream, bool commas)
+{
+	int c;
+	do
+		c = getc(stream);
+	while (c != EOF && (isspace(c) || (commas && c == ',')));
+	if (c != EOF)
+		ungetc(c, stream);
+	return c;
+}
+
+bool files_at_end(SceneFile *file)
+{
+	return !file->stream || (file->mode == FILE_READ && peek_past_blanks(file->stream, true) == EOF);
+}
+
+static bool report_content(Context *context, const SceneFile *file, Location where, const char *expected)
+{
+	diag_error(context->diag, where, "'%s': expected %s", file->path, expected);
+	return false;
+}
+
+static bool is_number_part(int c)
+{
+	return isdigit(c) || c == '.' || c == '+' || c == '-' || c == 'e' || c == 'E';
+}
+
+static bool read_float(FILE *stream, double *out)
+{
+	char text[TOKEN_LIMIT], *end;
+	size_t length = 0;
+	int c = peek_past_blanks(stream, false);
+	bool exponent = false;
+	while (length + 1 < sizeof text && (c = getc(stream)) != EOF && is_number_part(c)) {
+		bool sign = c == '+' || c == '-';
+		if (sign && length > 0 && !exponent)
+			break;
+		exponent = c == 'e' || c == 'E';
+		text[length++] = (char)c;
+	}
+	if (c != EOF)
+		ungetc(c, stream);
+	text[length] = '\0';
+	*out = strtod(text, &end);
+	return length > 0 && *end == '\0';
+}
+
+static bool read_vector(FILE *stream, Value *out)
+{
+	Value value = {.kind = VALUE_VECTOR};
+	getc(stream);
+	while (value.size < 5 && read_float(stream, &value.v[value.size])) {
+		value.size++;
+		int c = peek_past_blanks(stream, false);
+		if (c == ',')
+			getc(stream);
+		else if (c == '>')
+			break;
+	}
+	*out = value;
+	return value.size >= 2 && getc(stream) == '>';
+}
+
+/* A string to its closing quote; \" \\ \n \t stand for what they stand for in scenes. */
+static bool read_string(FILE *stream, Arena *arena, Value *out)
+{
+	char text[TOKEN_LIMIT];
+	size_t length = 0;
+	int c;
+	getc(stream);
+	while ((c = getc(stream)) != EOF && c != '"' && length + 1 < sizeof text) {
+		if (c == '\\') {
+			c = getc(stream);
+			c = c == 'n' ? '\n' : c == 't' ? '\t' : c;
+		}
+		if (c != EOF)
+			text[length++] = (char)c;
+	}
+	*out = value_string(arena_strndup(arena, text, length));
+	return c == '"';
+}
+
+bool files_read(Context *context, SceneFile *file, Value *out, Location where)
+{
+	*out = value_float(0);
+	if (!file->stream || file->mode != FILE_READ) {
+		diag_error(context->diag, where, "'%s' is not open for reading", file->path);
+		return false;
+	}
+	int c = peek_past_blanks(file->stream, true);
+	if (c == EOF)
+		return false;
+	if (c == '<')
+		return read_vector(file->stream, out) || report_content(context, file, where, "a vector of 2 to 5 floats");
+	if (c == '"')
+		return read_string(file->stream, context->parse, out) || report_content(context, file, where, "a closing quote");
+	if (read_float(file->stream, &out->number))
+		return true;
+	getc(file->stream);
+	return report_content(context, file, where, "a float, a string or a vector");
+}
+
+/* ---- writing ---- */
+
+void files_write(Context *context, SceneFile *file, Value value, Location where)
+{
+	if (!file->stream || file->mode == FILE_READ) {
+		diag_error(context->diag, where, "'%s' is not open for writing", file->path);
+		return;
+	}
+	if (value.kind == VALUE_STRING) {
+		fputs(value.string, file->stream);
+	} else if (value.kind == VALUE_FLOAT) {
+		fprintf(file->stream, "%g", value.number);
+	} else if (value_is_numeric(value)) {
+		for (int i = 0; i < value.size; i++)
+			fprintf(file->stream, "%c%g", i == 0 ? '<' : ',', value.v[i]);
+		fputs("> ", file->stream);
+	} else {
+		diag_error(context->diag, where, "'#write' takes strings, floats and vectors, found %s", value_describe(value));
+	}
+}
