@@ -1,4 +1,14 @@
 noinst_LIBRARIES += libsurface.a
-libsurface_a_SOURCES = 
+libsurface_a_SOURCES = src/surface/point.h src/surface/function.h src/surface/pattern.h \
+	src/surface/noise.c src/surface/noise.h src/surface/warp.h src/surface/image_map.h src/surface/pattern_data.h
 libsurface_a_SOURCES += src/surface/texture.h src/surface/texture.c src/surface/pigment.c src/surface/normal.c src/surface/finish.c \
 	src/surface/interior.c src/surface/blend.h src/surface/blend.c
+
+# The noise tables are computed at build time from the figures in the maker's source.
+EXTRA_PROGRAMS = src/surface/noise_tables_make
+src_surface_noise_tables_make_SOURCES = src/surface/noise_tables_make.c
+src_surface_noise_tables_make_LDADD = -lm
+src/surface/noise_tables.inc: src/surface/noise_tables_make$(EXEEXT)
+	$(AM_V_GEN)./src/surface/noise_tables_make$(EXEEXT) > $@.tmp && mv $@.tmp $@
+src/surface/noise.$(OBJEXT): src/surface/noise_tables.inc
+CLEANFILES += src/surface/noise_tables.inc src/surface/noise_tables_make$(EXEEXT)
