@@ -6,18 +6,14 @@ static double key_of(const void *entries, size_t size, int i)
 	return *(const double *)(const void *)((const char *)entries + size * (size_t)i);
 }
 
-/* The first entry whose key is not below value; count - 1 when all are. */
+/* The first entry whose key is not below value. A walk, not a bisection: maps are short, and scenes may have keys that fall,
+ * which POV-Ray reads in this way. */
 static int first_not_below(const void *entries, size_t size, int count, double value)
 {
-	int lo = 0, hi = count - 1;
-	while (lo < hi) {
-		int middle = lo + (hi - lo) / 2;
-		if (key_of(entries, size, middle) < value)
-			lo = middle + 1;
-		else
-			hi = middle;
-	}
-	return lo;
+	int i = 0;
+	while (i < count - 1 && key_of(entries, size, i) < value)
+		i++;
+	return i;
 }
 
 BlendSpan blend_find(const void *entries, size_t size, int count, double value)

@@ -13,7 +13,8 @@ typedef struct BlendSpan {
 	double weight;
 } BlendSpan;
 
-/* entries are count > 0 structs of size bytes that begin with a double, their key; keys never fall. */
+/* entries are count > 0 structs of size bytes that begin with a double, their key; keys
+ * rise, or the first one not below value counts. */
 BlendSpan blend_find(const void *entries, size_t size, int count, double value);
 
 #endif
