@@ -73,13 +73,11 @@ static void build_reflection(Context *context, const Node *block, Finish *finish
 	Cursor cursor = cursor_begin(context, block);
 	finish->reflection.falloff = 1;
 	finish->reflection.metallic = 0;
-	if (cursor_take_rgb(&cursor, &finish->reflection.max)) {
-		finish->reflection.min = finish->reflection.max;
-		if (cursor_peek_numeric(&cursor))
-			cursor_take_rgb(&cursor, &finish->reflection.max);
-		else
-			finish->reflection.min = rgb_all(0);
-	}
+	cursor_take_rgb(&cursor, &finish->reflection.max);
+	finish->reflection.min = finish->reflection.max;
+	bool single = !cursor_peek_numeric(&cursor);
+	if (!single)
+		cursor_take_rgb(&cursor, &finish->reflection.max);
 	while (!cursor_at_end(&cursor)) {
 		if (cursor_accept_word(&cursor, W_fresnel))
 			finish->reflection.fresnel = cursor_optional_bool(&cursor);
@@ -92,6 +90,8 @@ static void build_reflection(Context *context, const Node *block, Finish *finish
 		else
 			cursor_unexpected(&cursor);
 	}
+	if (single && finish->reflection.fresnel)
+		finish->reflection.min = rgb_all(0);
 }
 
 /* irid { AMOUNT [thickness T] [turbulence T] } */
