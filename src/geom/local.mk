@@ -9,3 +9,6 @@ libgeom_a_SOURCES += src/geom/shape.c src/geom/shape.h src/geom/hit_list.c src/g
 libgeom_a_SOURCES += src/geom/box_tree.c src/geom/box_tree.h src/geom/csg.c src/geom/csg.h
 libgeom_a_SOURCES += src/geom/sphere.c src/geom/sphere.h src/geom/box.c src/geom/box.h src/geom/plane.c src/geom/plane.h
 libgeom_a_SOURCES += src/geom/cone.c src/geom/cone.h src/geom/disc.c src/geom/disc.h src/geom/torus.c src/geom/torus.h
+libgeom_a_SOURCES += src/geom/poly.c src/geom/poly.h src/geom/superellipsoid.c src/geom/superellipsoid.h
+libgeom_a_SOURCES += src/geom/blob.c src/geom/blob.h src/geom/container.c src/geom/container.h
+libgeom_a_SOURCES += src/geom/isosurface.c src/geom/isosurface.h

@@ -1,0 +1,209 @@
+/*
+ * The function's values along the ray, inside the container. On an interval of length l whose ends have the values a and b
+ * the surface can only lie where |a| + |b| <= max_gradient l; such intervals are halved until they are shorter than the
+ * accuracy, and then a change of sign is a crossing. With a max_gradient that is too small crossings get lost: holes, as the
+ * language defines them. The crossing itself is refined within its last interval.
+ */
+#include "geom/isosurface.h"
+
+typedef struct Isosurface {
+	IsosurfaceDesc desc;
+	double gradient;
+} Isosurface;
+
+enum { PART_FUNCTION = -1, STACK_DEPTH = 64, REFINE_STEPS = 40 };
+
+IsosurfaceDesc isosurface_default(void)
+{
+	return (IsosurfaceDesc){
+		.container = container_default(),
+		.accuracy = 0.001,
+		.max_gradient = 1.1,
+		.max_trace = 1,
+	};
+}
+
+/* POV-Ray lets the gradient of `evaluate` grow from its first parameter, by the second, as it meets steeper places; the manual's
+ * recipe makes first * second^2 the steepest one. */
+static double effective_gradient(const IsosurfaceDesc *desc)
+{
+	const double *p = desc->evaluate_parameters;
+	return desc->evaluate ? p[0] * p[1] * p[1] : desc->max_gradient;
+}
+
+const void *isosurface_create(Arena *arena, const IsosurfaceDesc *desc, const char **error)
+{
+	Isosurface *isosurface = ARENA_NEW(arena, Isosurface);
+	isosurface->desc = *desc;
+	isosurface->gradient = effective_gradient(desc);
+	if (!(desc->accuracy > 0) || !(isosurface->gradient > 0)) {
+		*error = "accuracy and max_gradient must be positive";
+		return NULL;
+	}
+	return isosurface;
+}
+
+static bool isosurface_bounds(const void *data, Box3 *box)
+{
+	*box = container_bounds(&((const Isosurface *)data)->desc.container);
+	return true;
+}
+
+static double value_at(const Isosurface *isosurface, Vec3 p)
+{
+	return isosurface->desc.value(isosurface->desc.function, p) - isosurface->desc.threshold;
+}
+
+/* A function that is not a number nowhere encloses anything. */
+static double value_along(const Isosurface *isosurface, const Ray *ray, double t)
+{
+	double value = value_at(isosurface, ray_at(ray, t));
+	return isnan(value) ? INFINITY : value;
+}
+
+typedef struct Sample {
+	double t, value;
+} Sample;
+
+/* The crossing between two samples of different sign: the Illinois form of the secant method. */
+static double refine(const Isosurface *isosurface, const Ray *ray, Sample a, Sample b)
+{
+	double stop = 1e-9 * fabs(b.t - a.t) + 1e-15 * fabs(a.t);
+	for (int i = 0; i < REFINE_STEPS && fabs(b.t - a.t) > stop; i++) {
+		double t = b.t - b.value * (b.t - a.t) / (b.value - a.value);
+		if (!(t > fmin(a.t, b.t) && t < fmax(a.t, b.t)))
+			t = 0.5 * (a.t + b.t);
+		Sample next = {t, value_along(isosurface, ray, t)};
+		if (next.value == 0)
+			return t;
+		if ((next.value > 0) != (b.value > 0))
+			a = b;
+		else
+			a.value *= 0.5;
+		b = next;
+	}
+	return b.t;
+}
+
+/* The first change of sign between two samples, as far as the gradient promises to find it. */
+static bool first_root(const Isosurface *isosurface, const Ray *ray, Sample from, Sample to, double *t)
+{
+	double speed = vec3_length(ray->direction), shortest = isosurface->desc.accuracy / speed;
+	double gradient = isosurface->gradient * speed;
+	Sample stack[STACK_DEPTH];
+	int depth = 0;
+	stack[depth++] = to;
+	while (depth) {
+		Sample end = stack[depth - 1];
+		double length = end.t - from.t;
+		if (fabs(from.value) + fabs(end.value) > gradient * length) {
+			from = end;
+			depth--;
+		} else if (length < shortest || depth == STACK_DEPTH) {
+			if ((from.value > 0) != (end.value > 0)) {
+				*t = refine(isosurface, ray, from, end);
+				return true;
+			}
+			from = end;
+			depth--;
+		} else {
+			double middle = from.t + 0.5 * length;
+			stack[depth++] = (Sample){middle, value_along(isosurface, ray, middle)};
+		}
+	}
+	return false;
+}
+
+/* The part of the ray inside the container, as samples. False when it misses. */
+typedef struct Span {
+	Sample from, to;
+	bool enters, leaves; /* from, to lie on the container's surface */
+	int faces[2];
+} Span;
+
+static bool find_span(const Isosurface *isosurface, const Ray *ray, Span *span)
+{
+	double t[2];
+	if (!container_cross(&isosurface->desc.container, ray, t, span->faces))
+		return false;
+	span->enters = t[0] > ray->tmin;
+	span->leaves = t[1] < ray->tmax;
+	span->from.t = fmax(t[0], ray->tmin);
+	span->to.t = fmin(t[1], ray->tmax);
+	if (!(span->from.t < span->to.t))
+		return false;
+	span->from.value = value_along(isosurface, ray, span->from.t);
+	span->to.value = value_along(isosurface, ray, span->to.t);
+	return true;
+}
+
+/* Crossings in rising order, at most `most`. */
+static void isosurface_cross(const Shape *self, const Ray *ray, int most, HitList *out)
+{
+	const Isosurface *isosurface = self->data;
+	bool closed = !isosurface->desc.open;
+	Span span;
+	if (!find_span(isosurface, ray, &span))
+		return;
+	double skip = 5 * isosurface->desc.accuracy / vec3_length(ray->direction), t;
+	int count = 0;
+	if (closed && span.enters && span.from.value < 0) {
+		hit_list_push(out, (Hit){.t = span.from.t, .shape = self, .part = span.faces[0]});
+		count++;
+	}
+	while (count < most && first_root(isosurface, ray, span.from, span.to, &t)) {
+		hit_list_add(out, ray, self, t, PART_FUNCTION);
+		count++;
+		if (t + skip >= span.to.t)
+			break;
+		span.from = (Sample){t + skip, value_along(isosurface, ray, t + skip)};
+	}
+	if (closed && count < most && span.leaves && span.to.value < 0)
+		hit_list_push(out, (Hit){.t = span.to.t, .shape = self, .part = span.faces[1]});
+}
+
+static void isosurface_intersect(const Shape *self, const Ray *ray, HitList *out)
+{
+	const Isosurface *isosurface = self->data;
+	isosurface_cross(self, ray, isosurface->desc.max_trace > 0 ? isosurface->desc.max_trace : 1 << 20, out);
+}
+
+static bool isosurface_nearest(const Shape *self, const Ray *ray, Hit *out)
+{
+	HitList list;
+	hit_list_init(&list);
+	isosurface_cross(self, ray, 1, &list);
+	bool found = list.count > 0;
+	if (found)
+		*out = list.hits[0];
+	hit_list_free(&list);
+	return found;
+}
+
+static bool isosurface_inside(const void *data, Vec3 p)
+{
+	const Isosurface *isosurface = data;
+	return container_inside(&isosurface->desc.container, p) && value_at(isosurface, p) < 0;
+}
+
+/* The gradient by differences over the accuracy. */
+static Vec3 isosurface_normal(const void *data, const Hit *hit, Vec3 p)
+{
+	const Isosurface *isosurface = data;
+	if (hit->part != PART_FUNCTION)
+		return container_normal(&isosurface->desc.container, hit->part, p);
+	double step = isosurface->desc.accuracy, value = value_at(isosurface, p);
+	Vec3 n = vec3(value_at(isosurface, vec3(p.x + step, p.y, p.z)) - value,
+	              value_at(isosurface, vec3(p.x, p.y + step, p.z)) - value,
+	              value_at(isosurface, vec3(p.x, p.y, p.z + step)) - value);
+	return vec3_length2(n) > 0 && vec3_is_finite(n) ? n : vec3(1, 0, 0);
+}
+
+const ShapeClass isosurface_class = {
+	.name = "isosurface",
+	.bounds = isosurface_bounds,
+	.intersect = isosurface_intersect,
+	.inside = isosurface_inside,
+	.normal = isosurface_normal,
+	.nearest = isosurface_nearest,
+};

@@ -1,0 +1,181 @@
+/*
+ * The gauge g(p) = (rho^(2/n) + |z|^(2/n))^(n/2), rho = (|x|^(2/e) + |y|^(2/e))^(e/2), is 1 on the surface and grows in
+ * proportion along lines from the origin. For exponents up to 2 it is a norm, hence convex along any line, and Newton's
+ * iteration from either side of the box around walks up to the surface without ever passing it. Pinched shapes (an
+ * exponent above 2) are searched by sampling between the planes where the gauge has kinks.
+ */
+#include "geom/superellipsoid.h"
+
+#include "geom/box.h"
+
+enum { NEWTON_STEPS = 60, PINCHED_SAMPLES = 24, KINK_PLANES = 5 };
+
+typedef struct Superellipsoid {
+	double e, n;
+	bool convex;
+} Superellipsoid;
+
+const void *superellipsoid_create(Arena *arena, double e, double n, const char **error)
+{
+	if (!(e > 0 && n > 0)) {
+		*error = "both exponents must be positive";
+		return NULL;
+	}
+	Superellipsoid *shape = ARENA_NEW(arena, Superellipsoid);
+	*shape = (Superellipsoid){e, n, e <= 2 && n <= 2};
+	return shape;
+}
+
+static bool superellipsoid_bounds(const void *data, Box3 *box)
+{
+	(void)data;
+	*box = (Box3){vec3_all(-1), vec3_all(1)};
+	return true;
+}
+
+/* (a^p + b^p)^(1/p) for a, b >= 0 and p = 2 / exponent, with its derivatives; free of overflow by scaling. */
+static double pair_norm(double a, double b, double exponent, double slopes[2])
+{
+	double larger = fmax(a, b), smaller = fmin(a, b);
+	if (larger == 0) {
+		slopes[0] = slopes[1] = 0;
+		return 0;
+	}
+	double power = pow(smaller / larger, 2 / exponent), sum = 1 + power;
+	double norm = larger * pow(sum, 0.5 * exponent);
+	double larger_slope = norm / (larger * sum);
+	double smaller_slope = smaller > 0 ? norm * power / (smaller * sum) : 0;
+	slopes[0] = a >= b ? larger_slope : smaller_slope;
+	slopes[1] = a >= b ? smaller_slope : larger_slope;
+	return norm;
+}
+
+static double gauge(const Superellipsoid *shape, Vec3 p, Vec3 *gradient)
+{
+	double across[2], both[2];
+	double rho = pair_norm(fabs(p.x), fabs(p.y), shape->e, across);
+	double value = pair_norm(rho, fabs(p.z), shape->n, both);
+	*gradient = vec3(copysign(both[0] * across[0], p.x), copysign(both[0] * across[1], p.y), copysign(both[1], p.z));
+	return value;
+}
+
+/* Newton from the side of t; direction +1 walks up, -1 down. False when the line passes by. */
+static bool newton_from(const Superellipsoid *shape, const Ray *ray, double *t, double direction)
+{
+	for (int i = 0; i < NEWTON_STEPS; i++) {
+		Vec3 gradient;
+		double value = gauge(shape, ray_at(ray, *t), &gradient) - 1;
+		double slope = vec3_dot(gradient, ray->direction);
+		if (value <= 1e-15)
+			return true;
+		if (slope * direction >= 0)
+			return false;
+		double step = -value / slope;
+		*t += step;
+		if (fabs(step) <= 1e-14 * fabs(*t))
+			return true;
+	}
+	return true;
+}
+
+static int cross_convex(const Superellipsoid *shape, const Ray *ray, double t[2])
+{
+	if (!newton_from(shape, ray, &t[0], 1))
+		return 0;
+	newton_from(shape, ray, &t[1], -1);
+	return t[0] < t[1] ? 2 : 0;
+}
+
+static double gauge_along(const Superellipsoid *shape, const Ray *ray, double t)
+{
+	Vec3 gradient;
+	return gauge(shape, ray_at(ray, t), &gradient) - 1;
+}
+
+static double bisect(const Superellipsoid *shape, const Ray *ray, double lo, double hi, bool low_outside)
+{
+	for (int i = 0; i < NEWTON_STEPS; i++) {
+		double middle = 0.5 * (lo + hi);
+		if ((gauge_along(shape, ray, middle) > 0) == low_outside)
+			lo = middle;
+		else
+			hi = middle;
+	}
+	return 0.5 * (lo + hi);
+}
+
+/* Where the ray passes the planes x = 0, y = 0, z = 0, x = y, x = -y between t[0] and t[1], then t[1]; rising. */
+static int kinks_between(const Ray *ray, const double t[2], double ends[KINK_PLANES + 1])
+{
+	static const Vec3 planes[KINK_PLANES] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {1, 1, 0}, {1, -1, 0}};
+	int count = 0;
+	for (int i = 0; i < KINK_PLANES; i++) {
+		double at = -vec3_dot(planes[i], ray->origin) / vec3_dot(planes[i], ray->direction);
+		if (!(at > t[0] && at < t[1]))
+			continue;
+		int place = count++;
+		for (; place > 0 && ends[place - 1] > at; place--)
+			ends[place] = ends[place - 1];
+		ends[place] = at;
+	}
+	ends[count++] = t[1];
+	return count;
+}
+
+static void cross_pinched(const Shape *self, const Ray *ray, const double t[2], HitList *out)
+{
+	const Superellipsoid *shape = self->data;
+	double ends[KINK_PLANES + 1], last = t[0];
+	int count = kinks_between(ray, t, ends);
+	bool outside = true;
+	for (int i = 0; i < count; i++) {
+		double step = (ends[i] - last) / PINCHED_SAMPLES, before = last;
+		for (int k = 1; k <= PINCHED_SAMPLES; k++) {
+			double at = k < PINCHED_SAMPLES ? before + step : ends[i];
+			if ((gauge_along(shape, ray, at) > 0) != outside) {
+				hit_list_add(out, ray, self, bisect(shape, ray, before, at, outside), 0);
+				outside = !outside;
+			}
+			before = at;
+		}
+		last = ends[i];
+	}
+}
+
+static void superellipsoid_intersect(const Shape *self, const Ray *ray, HitList *out)
+{
+	const Superellipsoid *shape = self->data;
+	double t[2];
+	int faces[2];
+	if (!box_cross((Box3){vec3_all(-1), vec3_all(1)}, ray, t, faces) || t[1] < ray->tmin || t[0] > ray->tmax)
+		return;
+	if (!shape->convex) {
+		cross_pinched(self, ray, t, out);
+		return;
+	}
+	int count = cross_convex(shape, ray, t);
+	for (int i = 0; i < count; i++)
+		hit_list_add(out, ray, self, t[i], 0);
+}
+
+static bool superellipsoid_inside(const void *data, Vec3 p)
+{
+	Vec3 gradient;
+	return gauge(data, p, &gradient) < 1;
+}
+
+static Vec3 superellipsoid_normal(const void *data, const Hit *hit, Vec3 p)
+{
+	Vec3 gradient;
+	(void)hit;
+	gauge(data, p, &gradient);
+	return vec3_is_finite(gradient) && vec3_length2(gradient) > 0 ? gradient : p;
+}
+
+const ShapeClass superellipsoid_class = {
+	.name = "superellipsoid",
+	.bounds = superellipsoid_bounds,
+	.intersect = superellipsoid_intersect,
+	.inside = superellipsoid_inside,
+	.normal = superellipsoid_normal,
+};
