@@ -2,32 +2,8 @@
 #include "lang/build_image.h"
 #include "lang/build_map.h"
 #include "lang/build_pattern.h"
+#include "lang/build_pigment_default.h"
 #include "lang/build_texture.h"
-
-/* ---- what a pattern shows where the scene gives no colours: POV-Ray's initial maps ---- */
-
-static const ColorEntry GRAY[] = {{0, {0, 0, 0, 0, 0}}, {1, {1, 1, 1, 0, 0}}};
-
-/* A pigment with a pattern and nothing else. */
-static void fill_default_colors(Pigment *pigment)
-{
-	pigment->kind = PIGMENT_COLOR_MAP;
-	pigment->colors = GRAY;
-	pigment->color_count = 2;
-}
-
-/* Colours of a list pattern that the scene leaves out. */
-static const Rgbft LIST_COLORS[] = {
-	{0, 0, 1, 0, 0}, {0, 1, 0, 0, 0}, {1, 0, 0, 0, 0}, {0, 1, 1, 0, 0}, {1, 0, 1, 0, 0}, {1, 1, 0, 0, 0},
-};
-static const Rgbft BRICK_COLORS[] = {{0.5f, 0.5f, 0.5f, 0, 0}, {0.6f, 0.15f, 0.15f, 0, 0}};
-
-static Rgbft default_list_color(const Pigment *pigment, int i)
-{
-	if (pattern_find("brick") == pigment->pattern.class)
-		return BRICK_COLORS[i & 1];
-	return LIST_COLORS[i % 6];
-}
 
 /* ---- lists ---- */
 
@@ -35,7 +11,7 @@ static void take_color_list(Cursor *cursor, Pigment *pigment, int most)
 {
 	ColorEntry *colors = ARENA_ARRAY(cursor->context->builder->arena, ColorEntry, most);
 	for (int i = 0; i < most; i++) {
-		colors[i] = (ColorEntry){i, default_list_color(pigment, i)};
+		colors[i] = (ColorEntry){i, build_default_list_color(&pigment->pattern, i)};
 		if (cursor_peek_numeric(cursor))
 			cursor_take_color(cursor, &colors[i].color);
 	}
@@ -52,7 +28,7 @@ static void take_pigment_list(Cursor *cursor, Pigment *pigment, int most)
 	for (int i = count; i < most; i++) {
 		Pigment *plain = ARENA_NEW(arena, Pigment);
 		*plain = (Pigment){.kind = PIGMENT_COLOR, .pattern = build_pattern_none(cursor->context),
-		                   .color = default_list_color(pigment, i)};
+		                   .color = build_default_list_color(&pigment->pattern, i)};
 		entries[i] = (PigmentEntry){i, plain};
 	}
 	pigment->kind = PIGMENT_LIST;
@@ -92,9 +68,12 @@ static void become_patterned(Cursor *cursor, Pigment *pigment, bool was_list)
 		take_list(cursor, pigment);
 		return;
 	}
-	bool has_map = pigment->kind == PIGMENT_COLOR_MAP || pigment->kind == PIGMENT_PIGMENT_MAP;
-	if (!has_map || was_list)
-		fill_default_colors(pigment);
+	if (pigment->kind == PIGMENT_PIGMENT_MAP)
+		return;
+	if (pigment->color_count > 0 && !was_list)
+		pigment->kind = PIGMENT_COLOR_MAP;
+	else
+		build_default_map(pigment);
 }
 
 static void take_image_map(Cursor *cursor, Pigment *pigment)
