@@ -12,3 +12,4 @@ src/surface/noise_tables.inc: src/surface/noise_tables_make$(EXEEXT)
 	$(AM_V_GEN)./src/surface/noise_tables_make$(EXEEXT) > $@.tmp && mv $@.tmp $@
 src/surface/noise.$(OBJEXT): src/surface/noise_tables.inc
 CLEANFILES += src/surface/noise_tables.inc src/surface/noise_tables_make$(EXEEXT)
+libsurface_a_SOURCES += src/surface/bsdf.c src/surface/bsdf.h

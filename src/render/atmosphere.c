@@ -1,0 +1,124 @@
+/* POV-Ray 3.7's manual: sky_sphere 3.4.3.4, fog 3.4.3.3, rainbow 3.4.3.5. */
+#include "render/atmosphere.h"
+
+#include <math.h>
+
+
+static const double FAR_AWAY = 1e7; /* the length of a ray that meets nothing */
+static const double PI = 3.14159265358979323846;
+
+static float mean(Rgb color)
+{
+	return (color.r + color.g + color.b) / 3;
+}
+
+/* ---- sky ---- */
+
+Seen atmosphere_sky(const Tracer *tracer, Vec3 direction)
+{
+	const Scene *scene = tracer->scene;
+	const SkySphere *sky = scene->sky_sphere;
+	Rgb through = {1, 1, 1}, sum = {0, 0, 0};
+	if (sky) {
+		Vec3 p = transform_vector_inverse(&sky->transform, direction);
+		SurfacePoint at = {.p = p, .world = p, .normal = direction, .direction = direction};
+		for (int i = sky->count - 1; i >= 0; i--) {
+			Rgbft color = pigment_color(sky->pigments[i], &at);
+			Rgb own = rgb_scale(rgb_mul(rgbft_rgb(color), sky->emission), rgbft_opacity(color));
+			sum = rgb_add(sum, rgb_mul(own, through));
+			through = rgb_mul(through, rgbft_transmittance(color));
+		}
+	}
+	if (!tracer->alpha)
+		return (Seen){rgb_add(sum, rgb_mul(through, rgbft_rgb(scene->background))), 0};
+	Rgb own = rgb_scale(rgbft_rgb(scene->background), rgbft_opacity(scene->background));
+	return (Seen){rgb_add(sum, rgb_mul(through, own)), mean(rgb_mul(through, rgbft_transmittance(scene->background)))};
+}
+
+/* ---- fog ---- */
+
+/* Density of ground fog is 1 under its offset and falls as 1/(1 + y^2) above, y in units of fog_alt; this is its mean along a
+ * way from y1 to y2, from the integral's arctangent. */
+static double ground_mean(double y1, double y2)
+{
+	double low = fmin(y1, y2), high = fmax(y1, y2);
+	if (high <= 0)
+		return 1;
+	if (high - low < 1e-9)
+		return 1 / (1 + high * high);
+	double above = atan(high) - atan(fmax(low, 0));
+	return (above - fmin(low, 0)) / (high - low);
+}
+
+static double fog_depth(const Fog *fog, const Ray *ray, double distance)
+{
+	double depth = distance;
+	if (fog->kind == FOG_GROUND && fog->alt != 0) {
+		double y1 = (vec3_dot(ray->origin, fog->up) - fog->offset) / fog->alt;
+		double y2 = (vec3_dot(ray_at(ray, distance), fog->up) - fog->offset) / fog->alt;
+		depth *= ground_mean(y1, y2);
+	}
+	return depth;
+}
+
+static Seen fog_apply(const Fog *fog, const Ray *ray, double distance, Seen seen)
+{
+	if (fog->distance == 0)
+		return seen;
+	float left = (float)exp(-fog_depth(fog, ray, distance) / fog->distance);
+	left = fmaxf(left, fog->color.transmit);
+	Rgb color = rgbft_rgb(fog->color);
+	Rgb tint = rgb_lerp(rgb_all(1), color, fog->color.filter);
+	seen.color = rgb_mad(rgb_scale(rgb_mul(seen.color, tint), left), 1 - left, color);
+	seen.transmit *= left * mean(tint);
+	return seen;
+}
+
+/* ---- rainbow ---- */
+
+/* The share that the rainbow's arc leaves at a direction: 1 inside arc_angle, falling to 0 over falloff_angle. */
+static double arc_share(const Rainbow *rainbow, Vec3 direction)
+{
+	Vec3 right = vec3_normalize(vec3_cross(rainbow->up, rainbow->antisolar));
+	Vec3 up = vec3_normalize(vec3_cross(rainbow->antisolar, right));
+	double turn = fabs(atan2(vec3_dot(direction, right), vec3_dot(direction, up))) * 180 / PI;
+	double outer = rainbow->arc_angle / 2, inner = rainbow->falloff_angle / 2;
+	if (turn > outer)
+		return 0;
+	if (turn <= inner || outer <= inner)
+		return 1;
+	double share = (outer - turn) / (outer - inner);
+	return share * share * (3 - 2 * share);
+}
+
+static Seen rainbow_apply(Tracer *tracer, const Rainbow *rainbow, const Ray *ray, double distance, Seen seen)
+{
+	if (!rainbow->pigment || rainbow->width == 0 || rainbow->distance == 0)
+		return seen;
+	double cosine = fmin(fmax(vec3_dot(ray->direction, rainbow->antisolar), -1), 1);
+	double place = (acos(cosine) * 180 / PI - rainbow->angle) / rainbow->width + 0.5;
+	if (rainbow->jitter != 0)
+		place += (2 * sampler_next(&tracer->sampler) - 1) * rainbow->jitter;
+	double share = place >= 0 && place <= 1 ? arc_share(rainbow, ray->direction) : 0;
+	if (share <= 0)
+		return seen;
+	SurfacePoint at = {.p = {place, 0, 0}, .world = {place, 0, 0}, .direction = ray->direction};
+	Rgbft color = pigment_color(rainbow->pigment, &at);
+	double near = exp(-distance / rainbow->distance);
+	float left = (float)fmin(fmax(near, 1 - share + share * color.transmit), 1);
+	Rgb tint = rgb_lerp(rgb_all(1), rgbft_rgb(color), color.filter * (float)share);
+	seen.color = rgb_mad(rgb_scale(rgb_mul(seen.color, tint), left), 1 - left, rgbft_rgb(color));
+	seen.transmit *= left * mean(tint);
+	return seen;
+}
+
+Seen atmosphere_apply(Tracer *tracer, const Ray *ray, double distance, Seen seen)
+{
+	const Scene *scene = tracer->scene;
+	double length = fmin(distance, FAR_AWAY);
+	for (int i = 0; i < scene->rainbow_count; i++)
+		seen = rainbow_apply(tracer, scene->rainbows[i], ray, length, seen);
+	for (int i = 0; i < scene->fog_count; i++)
+		seen = fog_apply(scene->fogs[i], ray, length, seen);
+	return seen;
+}

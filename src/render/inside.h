@@ -1,0 +1,32 @@
+/*
+ * Which objects' insides a ray is in, in the order in which it entered them: for indices of refraction, attenuation, and
+ * whether fog reaches here. A surface is known by its interior, or by its object when it has none.
+ */
+#ifndef RENDER_INSIDE_H
+#define RENDER_INSIDE_H
+
+#include "scene/object.h"
+
+enum { INSIDE_MAX = 24 }; /* deeper nesting is forgotten */
+
+typedef struct InsideItem {
+	const Interior *interior; /* or NULL */
+	int id;                   /* the surface's object */
+	bool hollow;
+} InsideItem;
+
+typedef struct InsideStack {
+	int count;
+	InsideItem items[INSIDE_MAX];
+} InsideStack;
+
+void inside_copy(InsideStack *to, const InsideStack *from);
+bool inside_has(const InsideStack *stack, const Surface *surface);
+/* Crossing the surface: leaves its inside if it was in, enters it if not. */
+void inside_cross(InsideStack *stack, const Surface *surface);
+/* True when the ray is in no object that is not hollow: fog and the sky's media are here. */
+bool inside_is_open(const InsideStack *stack);
+/* Index of refraction on this side of the surface over the other side's, for a ray about to cross it. */
+double inside_ratio(const InsideStack *stack, const Surface *surface);
+
+#endif

@@ -1,0 +1,121 @@
+/*
+ * Focal blur: rays through points of the aperture until the mean is known as well as the camera asks (confidence and
+ * variance), at most blur_samples of them. The points are Halton's, shifted for each pixel by a random amount.
+ */
+#include "render/sample.h"
+
+#include <math.h>
+
+/* Sums over the rays of a bundle. */
+typedef struct Bundle {
+	double sum[4], square[4];
+	int count;
+} Bundle;
+
+/* The normal quantile for a two-sided confidence: Abramowitz & Stegun 26.2.23, |error| < 4.5e-4. */
+static double confidence_width(double confidence)
+{
+	double tail = fmin(fmax((1 - confidence) / 2, 1e-9), 0.5);
+	double t = sqrt(-2 * log(tail));
+	return t - (2.515517 + t * (0.802853 + t * 0.010328)) / (1 + t * (1.432788 + t * (0.189269 + t * 0.001308)));
+}
+
+static bool bundle_is_sure(const Bundle *bundle, const Camera *camera)
+{
+	if (bundle->count < 2)
+		return false;
+	double width = confidence_width(camera->confidence), n = bundle->count;
+	for (int i = 0; i < 4; i++) {
+		double spread = fmax(bundle->square[i] - bundle->sum[i] * bundle->sum[i] / n, 0) / (n - 1);
+		if (spread / n * width * width > camera->variance)
+			return false;
+	}
+	return true;
+}
+
+static void bundle_add(Bundle *bundle, const float color[4])
+{
+	for (int i = 0; i < 4; i++) {
+		double shown = fmin(fmax(color[i], 0), 1); /* over-bright light must not ask for endless rays */
+		bundle->sum[i] += shown;
+		bundle->square[i] += shown * shown;
+	}
+	bundle->count++;
+}
+
+static void set_color(Tracer *tracer, Seen seen, float out[4])
+{
+	out[0] = seen.color.r;
+	out[1] = seen.color.g;
+	out[2] = seen.color.b;
+	out[3] = tracer->alpha ? 1 - seen.transmit : 1;
+}
+
+static void set_first(const FirstHit *first, FilmPixel *out)
+{
+	float *albedo = out->v + film_layer_offset(FILM_ALBEDO), *normal = out->v + film_layer_offset(FILM_NORMAL);
+	albedo[0] = first->albedo.r;
+	albedo[1] = first->albedo.g;
+	albedo[2] = first->albedo.b;
+	normal[0] = (float)first->normal.x;
+	normal[1] = (float)first->normal.y;
+	normal[2] = (float)first->normal.z;
+	out->v[film_layer_offset(FILM_DEPTH)] = (float)first->depth;
+}
+
+static void eye_sample(Tracer *tracer, const SamplePlace *place, Vec2 lens, FilmPixel *out)
+{
+	const Camera *camera = &tracer->scene->camera;
+	FirstHit first = {.depth = INFINITY};
+	Ray ray;
+	*out = (FilmPixel){{0}};
+	if (camera_ray(camera, place->x, place->y, place->width, place->height, lens, &ray))
+		set_color(tracer, trace_eye(tracer, &ray, place->first_hit ? &first : NULL), out->v);
+	else
+		out->v[3] = tracer->alpha ? 0 : 1;
+	if (place->first_hit)
+		set_first(&first, out);
+}
+
+static double wrap(double x)
+{
+	return x - floor(x);
+}
+
+static void blurred_sample(Tracer *tracer, const SamplePlace *place, FilmPixel *out)
+{
+	const Camera *camera = &tracer->scene->camera;
+	double shift_u = sampler_next(&tracer->sampler), shift_v = sampler_next(&tracer->sampler);
+	double sum[4] = {0};
+	Bundle bundle = {.count = 0};
+	int least = camera->blur_samples_min > 4 ? camera->blur_samples_min : 4;
+	for (int i = 0; i < camera->blur_samples; i++) {
+		Vec2 lens = {wrap(random_halton((uint64_t)i, 0) + shift_u), wrap(random_halton((uint64_t)i, 1) + shift_v)};
+		FilmPixel one;
+		eye_sample(tracer, place, lens, &one);
+		if (i == 0)
+			*out = one;
+		bundle_add(&bundle, one.v);
+		for (int k = 0; k < 4; k++)
+			sum[k] += one.v[k];
+		if (bundle.count >= least && bundle_is_sure(&bundle, camera))
+			break;
+	}
+	for (int k = 0; k < 4; k++)
+		out->v[k] = (float)(sum[k] / bundle.count);
+}
+
+void sample_image(Tracer *tracer, const SamplePlace *place, FilmPixel *out)
+{
+	const Camera *camera = &tracer->scene->camera;
+	tracer->sampler.index = place->number;
+	tracer->sampler.dimension = 0;
+	tracer->statistics.samples++;
+	if (camera->aperture > 0 && camera->blur_samples > 1)
+		blurred_sample(tracer, place, out);
+	else
+		eye_sample(tracer, place, (Vec2){0.5, 0.5}, out);
+	float *direct = out->v + film_layer_offset(FILM_DIRECT);
+	for (int k = 0; k < 3; k++)
+		direct[k] = out->v[k];
+}

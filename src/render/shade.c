@@ -1,0 +1,81 @@
+#include "render/shade.h"
+
+#include <string.h>
+
+void shade_point_init(ShadePoint *point, const Ray *ray, const Hit *hit)
+{
+	Vec3 world = ray_at(ray, hit->t);
+	Vec3 normal = hit_shading_normal(hit, world);
+	point->hit = hit;
+	point->surface = hit->shape->owner;
+	point->back = vec3_dot(normal, ray->direction) > 0;
+	point->at = (SurfacePoint){
+		.p = world, .world = world, .direction = ray->direction,
+		.normal = point->back ? vec3_neg(normal) : normal,
+		.uv = point->surface->uv_mapping ? hit_uv(hit, world) : (Vec2){world.x, world.y},
+	};
+}
+
+/* Appends the shading of one of several textures, with its weight. */
+static void append_shading(Shading *to, const Shading *from, double weight)
+{
+	if (to->layer_count + from->layer_count > SHADING_MAX_LAYERS ||
+	    to->stack_count + from->stack_count > SHADING_MAX_STACKS)
+		return;
+	memcpy(&to->layers[to->layer_count], from->layers, sizeof *from->layers * (size_t)from->layer_count);
+	for (int i = 0; i < from->stack_count; i++) {
+		ShadingStack stack = from->stacks[i];
+		stack.first += to->layer_count;
+		stack.weight *= (float)weight;
+		to->stacks[to->stack_count++] = stack;
+	}
+	to->layer_count += from->layer_count;
+}
+
+static void shade_one_texture(const ShadePoint *point, int number, Shading *out)
+{
+	const Surface *surface = point->surface;
+	if (number >= 0 && number < surface->texture_count && surface->textures[number])
+		texture_shade(surface->textures[number], surface->numbered_attach, &point->at, out);
+	else
+		texture_shade(surface->texture, surface->attach, &point->at, out);
+}
+
+static void shade_numbered(const ShadePoint *point, const ShapeTextures *covering, Shading *out)
+{
+	if (covering->count == 1) {
+		shade_one_texture(point, covering->numbers[0], out);
+		return;
+	}
+	out->layer_count = out->stack_count = 0;
+	for (int i = 0; i < covering->count; i++) {
+		Shading one;
+		shade_one_texture(point, covering->numbers[i], &one);
+		append_shading(out, &one, covering->weights[i]);
+	}
+}
+
+void shade_textures(const ShadePoint *point, Shading *out)
+{
+	const Surface *surface = point->surface;
+	ShapeTextures covering;
+	if (point->back && surface->interior_texture)
+		texture_shade(surface->interior_texture, surface->attach, &point->at, out);
+	else if (surface->texture_count && hit_textures(point->hit, point->at.world, &covering))
+		shade_numbered(point, &covering, out);
+	else
+		texture_shade(surface->texture, surface->attach, &point->at, out);
+}
+
+Rgb shade_attenuation(const Interior *interior, double distance)
+{
+	if (!interior || interior->fade_power <= 0 || interior->fade_distance <= 0)
+		return rgb_all(1);
+	double depth = distance / interior->fade_distance;
+	Rgb color = interior->fade_color;
+	if (interior->fade_power >= 1000)
+		return rgb((float)exp(-(1 - color.r) * depth), (float)exp(-(1 - color.g) * depth),
+		           (float)exp(-(1 - color.b) * depth));
+	float left = (float)(1 / (1 + pow(depth, interior->fade_power)));
+	return rgb_lerp(color, rgb_all(1), left);
+}

@@ -1,0 +1,243 @@
+/*
+ * Whitted's ray tracing as POV-Ray 3.7 does it: at a hit, light of the surface itself and of every source, then one ray for each
+ * mirror and one for the passage through, weighted, until weights fall under adc_bailout or max_trace_level is reached. A
+ * passage that does not bend does not count as a level.
+ */
+#include "render/tracer.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+#include "render/atmosphere.h"
+#include "render/lighting.h"
+#include "render/shade.h"
+
+enum { TRACE_MAX_DEPTH = 250 }; /* recursion limit for surfaces in a row that let a ray straight through */
+
+static const Seen SEEN_NOTHING = {{0, 0, 0}, 0};
+
+double trace_epsilon(Vec3 p)
+{
+	double scale = fmax(fabs(p.x), fmax(fabs(p.y), fabs(p.z)));
+	/* POV-Ray's 0.001 for scenes of usual size, finer for tiny ones, and never under what doubles can tell apart. */
+	return fmax(fmin(1e-3, 1e-4 * scale), 1e-9 * scale);
+}
+
+static void seen_add(Seen *sum, Seen part, Rgb weight)
+{
+	sum->color = rgb_add(sum->color, rgb_mul(part.color, weight));
+	sum->transmit += part.transmit * (weight.r + weight.g + weight.b) / 3;
+}
+
+static float seen_power(float value, float exponent)
+{
+	return value > 0 ? powf(value, exponent) : 0;
+}
+
+/* ---- where a ray goes on ---- */
+
+static void count_event(RenderStatistics *statistics, const BsdfEvent *event, int level)
+{
+	if (event->kind == BSDF_REFLECT)
+		statistics->reflected_rays++;
+	else if (event->bent)
+		statistics->refracted_rays++;
+	else
+		statistics->transmitted_rays++;
+	if (level > statistics->deepest)
+		statistics->deepest = level;
+}
+
+static void next_ray(const PathRay *path, const ShadePoint *point, const BsdfEvent *event, PathRay *next)
+{
+	inside_copy(&next->inside, &path->inside);
+	if (event->kind == BSDF_TRANSMIT && !event->total)
+		inside_cross(&next->inside, point->surface);
+	next->ray = (Ray){point->at.world, event->to, trace_epsilon(point->at.world), INFINITY};
+	next->level = path->level + (event->kind == BSDF_REFLECT || event->bent);
+	next->depth = path->depth + 1;
+	next->reflected = path->reflected || event->kind == BSDF_REFLECT || event->total;
+}
+
+static void follow_event(Tracer *tracer, const PathRay *path, const ShadePoint *point, BsdfEvent *event, Seen *sum)
+{
+	if (event->kind == BSDF_TRANSMIT && inside_has(&path->inside, point->surface))
+		event->weight = rgb_mul(event->weight, shade_attenuation(point->surface->interior, point->hit->t));
+	PathRay next;
+	next.weight = path->weight * rgb_max(event->weight);
+	if (next.weight < tracer->scene->settings.adc_bailout) {
+		tracer->statistics.bailouts++;
+		return;
+	}
+	next_ray(path, point, event, &next);
+	count_event(&tracer->statistics, event, next.level);
+	Seen seen = trace_ray(tracer, &next, NULL);
+	if (event->exponent != 1)
+		seen.color = rgb(seen_power(seen.color.r, event->exponent), seen_power(seen.color.g, event->exponent),
+		                 seen_power(seen.color.b, event->exponent));
+	if (event->kind == BSDF_REFLECT)
+		seen.transmit = 0;
+	seen_add(sum, seen, event->weight);
+}
+
+/* ---- one surface ---- */
+
+/* Low quality: the top layer's colour, fully lit, nothing else. */
+static Seen flat_color(const ShadePoint *point, const Shading *shading)
+{
+	Seen sum = SEEN_NOTHING;
+	(void)point;
+	for (int i = 0; i < shading->stack_count; i++) {
+		const ShadingStack *stack = &shading->stacks[i];
+		if (stack->count)
+			sum.color = rgb_mad(sum.color, stack->weight,
+			                    rgbft_rgb(shading->layers[stack->first + stack->count - 1].color));
+	}
+	return sum;
+}
+
+static Seen shade_stack(Tracer *tracer, const PathRay *path, const ShadePoint *point, const Shading *shading,
+                        const ShadingStack *stack)
+{
+	BsdfPlace place = {
+		.from = vec3_neg(path->ray.direction), .geometric = point->at.normal,
+		.ior = inside_ratio(&path->inside, point->surface), .both_sides = point->surface->double_illuminate,
+		.irid_wavelength = tracer->scene->settings.irid_wavelength,
+		.cutoff = tracer->scene->settings.adc_bailout,
+	};
+	bool grainy = false;
+	for (int i = 0; i < stack->count; i++)
+		grainy = grainy || shading->layers[stack->first + i].finish->crand > 0;
+	place.grain = grainy ? sampler_next(&tracer->sampler) : 0;
+	Bsdf bsdf;
+	bsdf_init(&bsdf, &shading->layers[stack->first], stack->count, &place);
+	LitPoint lit = {point->at.world, point->surface, &path->inside};
+	Seen sum = {bsdf_emission(&bsdf, tracer->scene->settings.ambient_light), 0};
+	sum.color = rgb_add(sum.color, lighting_at(tracer, &lit, &bsdf));
+	if (!tracer->quality.scatter)
+		return sum;
+	BsdfEvent events[BSDF_MAX_EVENTS];
+	int count = bsdf_events(&bsdf, TRANSPORT_RADIANCE, events);
+	for (int i = 0; i < count; i++)
+		follow_event(tracer, path, point, &events[i], &sum);
+	return sum;
+}
+
+static void note_first(FirstHit *first, const ShadePoint *point, const Shading *shading, double depth)
+{
+	first->depth = depth;
+	first->normal = point->at.normal;
+	first->albedo = flat_color(point, shading).color;
+}
+
+static Seen shade_hit(Tracer *tracer, const PathRay *path, const Hit *hit, FirstHit *first)
+{
+	ShadePoint point;
+	Shading shading;
+	shade_point_init(&point, &path->ray, hit);
+	shade_textures(&point, &shading);
+	if (first)
+		note_first(first, &point, &shading, hit->t);
+	if (!tracer->quality.lights)
+		return flat_color(&point, &shading);
+	Seen sum = SEEN_NOTHING;
+	PathRay part = *path;
+	for (int i = 0; i < shading.stack_count; i++) {
+		const ShadingStack *stack = &shading.stacks[i];
+		part.weight = path->weight * stack->weight;
+		seen_add(&sum, shade_stack(tracer, &part, &point, &shading, stack), rgb_all(stack->weight));
+	}
+	return sum;
+}
+
+/* ---- a ray ---- */
+
+static bool accept_image(void *data, const Ray *ray, const Hit *hit)
+{
+	(void)data;
+	(void)ray;
+	return !((const Surface *)hit->shape->owner)->no_image;
+}
+
+static bool accept_reflection(void *data, const Ray *ray, const Hit *hit)
+{
+	(void)data;
+	(void)ray;
+	return !((const Surface *)hit->shape->owner)->no_reflection;
+}
+
+Seen trace_ray(Tracer *tracer, const PathRay *path, FirstHit *first)
+{
+	if (path->level >= tracer->scene->settings.max_trace_level || path->depth >= TRACE_MAX_DEPTH) {
+		tracer->statistics.bailouts++;
+		return SEEN_NOTHING;
+	}
+	Hit hit;
+	AccelFilter *accept = path->reflected ? accept_reflection : accept_image;
+	bool met = accel_nearest(tracer->scene->accel, &path->ray, accept, NULL, &hit);
+	Seen seen = met ? shade_hit(tracer, path, &hit, first) : atmosphere_sky(tracer, path->ray.direction);
+	if (tracer->quality.atmosphere && inside_is_open(&path->inside))
+		seen = atmosphere_apply(tracer, &path->ray, met ? hit.t : INFINITY, seen);
+	return seen;
+}
+
+/* ---- the eye ---- */
+
+static void find_eye(Tracer *tracer, Vec3 place)
+{
+	const Shape *around[INSIDE_MAX];
+	int count = accel_containing(tracer->scene->accel, place, around, INSIDE_MAX);
+	tracer->eye.count = 0;
+	tracer->eye_place = place;
+	for (int i = 0; i < count; i++) {
+		const Surface *surface = around[i]->owner;
+		if (!inside_has(&tracer->eye, surface))
+			inside_cross(&tracer->eye, surface);
+	}
+}
+
+Seen trace_eye(Tracer *tracer, const Ray *ray, FirstHit *first)
+{
+	if (memcmp(&tracer->eye_place, &ray->origin, sizeof ray->origin) != 0)
+		find_eye(tracer, ray->origin);
+	PathRay path = {.ray = *ray, .weight = 1};
+	inside_copy(&path.inside, &tracer->eye);
+	tracer->statistics.eye_rays++;
+	return trace_ray(tracer, &path, first);
+}
+
+/* ---- a thread's worker ---- */
+
+static Quality quality_of(int level)
+{
+	return (Quality){
+		.lights = level >= 2, .shadows = level >= 4, .area_lights = level >= 5, .scatter = level >= 8,
+		.atmosphere = level >= 9,
+	};
+}
+
+void tracer_init(Tracer *tracer, const Scene *scene, const RenderOptions *options)
+{
+	size_t grid = 1;
+	for (int i = 0; i < scene->light_count; i++) {
+		const Light *light = &scene->lights[i];
+		if (light->area && (size_t)light->size1 * (size_t)light->size2 > grid)
+			grid = (size_t)light->size1 * (size_t)light->size2;
+	}
+	*tracer = (Tracer){
+		.scene = scene, .quality = quality_of(options->quality), .alpha = options->alpha,
+		.blockers = memory_alloc(sizeof *tracer->blockers * (size_t)(scene->light_count + 1)),
+		.grid = memory_alloc(sizeof *tracer->grid * grid),
+		.grid_known = memory_alloc(sizeof *tracer->grid_known * grid),
+		.eye_place = {NAN, NAN, NAN},
+		.sampler = {.seed = options->seed},
+	};
+	memset(tracer->blockers, 0, sizeof *tracer->blockers * (size_t)(scene->light_count + 1));
+}
+
+void tracer_free(Tracer *tracer)
+{
+	free(tracer->blockers);
+	free(tracer->grid);
+	free(tracer->grid_known);
+}

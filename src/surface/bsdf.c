@@ -1,0 +1,354 @@
+/*
+ * Finish by finish as POV-Ray 3.7's manual, section 3.4.6.3, defines them. Highlights are phong (mirrored ray against light) and
+ * Blinn's half vector with the exponent 1/roughness; both, unlike the diffuse part, are not weakened by a layer's
+ * transparency.
+ *
+ * Sampling: smooth directions come from the cosine about the normal, mixed with nothing else; narrow highlights are rare for
+ * photons and too small to matter there.
+ */
+#include "surface/bsdf.h"
+
+#include <math.h>
+
+static const double PI = 3.14159265358979323846;
+
+/* ---- physics ---- */
+
+double bsdf_fresnel(double cosine, double ior)
+{
+	double sine2 = ior * ior * (1 - cosine * cosine);
+	if (sine2 >= 1)
+		return 1;
+	double inner = sqrt(1 - sine2);
+	double s = (ior * cosine - inner) / (ior * cosine + inner);
+	double p = (cosine - ior * inner) / (cosine + ior * inner);
+	return (s * s + p * p) / 2;
+}
+
+bool bsdf_refract(Vec3 direction, Vec3 normal, double ior, Vec3 *out)
+{
+	double cosine = -vec3_dot(direction, normal);
+	double inner2 = 1 - ior * ior * (1 - cosine * cosine);
+	if (inner2 < 0)
+		return false;
+	*out = vec3_normalize(vec3_mad(vec3_scale(direction, ior), ior * cosine - sqrt(inner2), normal));
+	return true;
+}
+
+/* How far a metal's own colour gives way to white towards grazing light: the curve that POV-Ray's `metallic` uses, an
+ * approximation of Fresnel's (Schlick's fit for conductors); 0 head on, 1 grazing. */
+static double metal_grazing(double cosine)
+{
+	double x = acos(fmin(fmax(cosine, -1), 1)) / (PI / 2);
+	double f = 0.014567225 / ((x - 1.12) * (x - 1.12)) - 0.011612903;
+	return fmin(fmax(f, 0), 1);
+}
+
+static Rgb metal_tint(Rgb color, double metallic, double cosine)
+{
+	float share = (float)(metallic * (1 - metal_grazing(cosine)));
+	return rgb(1 + share * (color.r - 1), 1 + share * (color.g - 1), 1 + share * (color.b - 1));
+}
+
+/* ---- preparing ---- */
+
+static Rgb layer_mirror(const BsdfLayer *layer, Vec3 from, double ior)
+{
+	const Finish *finish = layer->finish;
+	if (rgb_is_black(finish->reflection.max) && rgb_is_black(finish->reflection.min))
+		return rgb_all(0);
+	double cosine = fmin(fmax(vec3_dot(from, layer->normal), 0), 1), share;
+	if (finish->reflection.fresnel)
+		share = bsdf_fresnel(cosine, ior);
+	else
+		share = finish->reflection.falloff == 1 ? 1 - cosine : pow(1 - cosine, finish->reflection.falloff);
+	Rgb mirror = rgb_lerp(finish->reflection.min, finish->reflection.max, (float)share);
+	if (finish->reflection.metallic != 0)
+		mirror = rgb_mul(mirror, metal_tint(layer->color, finish->reflection.metallic, cosine));
+	return mirror;
+}
+
+/* A normal that bumps turned away from the viewer is still taken as it is: POV-Ray does. */
+static void init_layer(Bsdf *bsdf, const ShadingLayer *from, const BsdfPlace *place)
+{
+	BsdfLayer *layer = &bsdf->layers[bsdf->count++];
+	layer->finish = from->finish;
+	layer->normal = from->normal;
+	layer->color = rgbft_rgb(from->color);
+	layer->above = bsdf->through;
+	layer->opacity = rgbft_opacity(from->color);
+	layer->grain = (float)(from->finish->crand * place->grain);
+	layer->mirror = layer_mirror(layer, place->from, place->ior);
+	Rgb through = rgbft_transmittance(from->color);
+	if (from->finish->conserve_energy) {
+		Rgb left = rgb_sub(rgb_all(1), layer->mirror);
+		through = rgb_mul(through, rgb(fmaxf(left.r, 0), fmaxf(left.g, 0), fmaxf(left.b, 0)));
+	}
+	bsdf->through = rgb_mul(bsdf->through, through);
+}
+
+void bsdf_init(Bsdf *bsdf, const ShadingLayer *bottom_to_top, int count, const BsdfPlace *place)
+{
+	bsdf->count = 0;
+	bsdf->from = place->from;
+	bsdf->geometric = place->geometric;
+	bsdf->ior = place->ior;
+	bsdf->both_sides = place->both_sides;
+	bsdf->irid_wavelength = place->irid_wavelength;
+	bsdf->through = rgb_all(1);
+	for (int i = count - 1; i >= 0 && bsdf->count < BSDF_MAX_LAYERS; i--) {
+		if (rgb_max(bsdf->through) <= place->cutoff)
+			break;
+		init_layer(bsdf, &bottom_to_top[i], place);
+	}
+}
+
+/* ---- smooth lobes ---- */
+
+Rgb bsdf_emission(const Bsdf *bsdf, Rgb ambient_light)
+{
+	Rgb sum = {0, 0, 0};
+	for (int i = 0; i < bsdf->count; i++) {
+		const BsdfLayer *layer = &bsdf->layers[i];
+		Rgb own = rgb_add(rgb_mul(layer->finish->ambient, ambient_light), layer->finish->emission);
+		if (rgb_is_black(own))
+			continue;
+		own = rgb_scale(rgb_mul(own, layer->color), layer->opacity);
+		sum = rgb_add(sum, rgb_mul(own, layer->above));
+	}
+	return sum;
+}
+
+static Rgb diffuse_lobe(const Bsdf *bsdf, const BsdfLayer *layer, double cosine)
+{
+	const Finish *finish = layer->finish;
+	float amount = finish->diffuse;
+	if (cosine < 0 && !bsdf->both_sides)
+		amount = finish->diffuse_back;
+	else if (bsdf->both_sides && finish->diffuse_back != 0 && cosine < 0)
+		amount = fmaxf(amount, finish->diffuse_back);
+	if (finish->diffuse_albedo)
+		amount *= (finish->brilliance + 1) / 2;
+	double shape = finish->brilliance == 1 ? fabs(cosine) : pow(fabs(cosine), finish->brilliance);
+	float strength = (float)shape * amount * layer->opacity - layer->grain;
+	return rgb_scale(rgb_mul(layer->color, layer->above), strength);
+}
+
+/* The factors that make an albedo highlight reflect the amount given in all. */
+static double phong_amount(const Finish *finish)
+{
+	return finish->phong * (finish->phong_albedo ? (finish->phong_size + 1) / 2 : 1);
+}
+
+static double specular_amount(const Finish *finish)
+{
+	double exponent = 1 / finish->roughness;
+	return finish->specular *
+		(finish->specular_albedo ? (exponent + 2) / (4 * (2 - pow(2, -exponent / 2))) : 1);
+}
+
+static Rgb highlight_color(const BsdfLayer *layer, double strength, double light_cosine)
+{
+	Rgb tint = rgb_all(1);
+	if (layer->finish->metallic != 0)
+		tint = metal_tint(layer->color, layer->finish->metallic, light_cosine);
+	return rgb_scale(rgb_mul(tint, layer->above), (float)strength);
+}
+
+static Rgb phong_lobe(const Bsdf *bsdf, const BsdfLayer *layer, Vec3 to)
+{
+	Vec3 mirrored = vec3_reflect(vec3_neg(bsdf->from), layer->normal);
+	double cosine = vec3_dot(mirrored, to);
+	if (cosine <= 0)
+		return rgb_all(0);
+	double strength = phong_amount(layer->finish) * pow(cosine, layer->finish->phong_size);
+	return highlight_color(layer, strength, vec3_dot(layer->normal, to));
+}
+
+static Rgb specular_lobe(const Bsdf *bsdf, const BsdfLayer *layer, Vec3 to)
+{
+	double cosine = vec3_dot(vec3_normalize(vec3_add(to, bsdf->from)), layer->normal);
+	if (cosine <= 0)
+		return rgb_all(0);
+	double strength = specular_amount(layer->finish) * pow(cosine, 1 / layer->finish->roughness);
+	return highlight_color(layer, strength, vec3_dot(layer->normal, to));
+}
+
+/* Light through a film: two paths that differ by the film's thickness times the cosines interfere at each wavelength. */
+static Rgb irid_lobe(const Bsdf *bsdf, const BsdfLayer *layer, Vec3 to)
+{
+	double light_cosine = vec3_dot(layer->normal, to), eye_cosine = vec3_dot(layer->normal, bsdf->from);
+	double path = 4 * PI * layer->finish->irid.thickness * (light_cosine + eye_cosine);
+	float strength = (float)(layer->finish->irid.amount * light_cosine);
+	Rgb wave = bsdf->irid_wavelength;
+	Rgb film = rgb(1 - wave.r * (float)cos(path / wave.r), 1 - wave.g * (float)cos(path / wave.g),
+	               1 - wave.b * (float)cos(path / wave.b));
+	return rgb_mul(rgb_scale(film, strength), layer->above);
+}
+
+static Rgb layer_eval(const Bsdf *bsdf, const BsdfLayer *layer, Vec3 to, bool highlights)
+{
+	const Finish *finish = layer->finish;
+	double cosine = vec3_dot(layer->normal, to);
+	Rgb sum = {0, 0, 0};
+	if (cosine <= 0 && !bsdf->both_sides && finish->diffuse_back == 0)
+		return sum;
+	if (highlights && finish->phong > 0)
+		sum = rgb_add(sum, phong_lobe(bsdf, layer, to));
+	if (highlights && finish->specular > 0)
+		sum = rgb_add(sum, specular_lobe(bsdf, layer, to));
+	if (finish->diffuse != 0 || finish->diffuse_back != 0)
+		sum = rgb_add(sum, diffuse_lobe(bsdf, layer, cosine));
+	if (highlights && finish->irid.amount > 0)
+		sum = rgb_add(sum, irid_lobe(bsdf, layer, to));
+	return sum;
+}
+
+Rgb bsdf_eval(const Bsdf *bsdf, Vec3 to, bool highlights)
+{
+	Rgb sum = {0, 0, 0};
+	for (int i = 0; i < bsdf->count; i++)
+		sum = rgb_add(sum, layer_eval(bsdf, &bsdf->layers[i], to, highlights));
+	return sum;
+}
+
+static bool finish_is_delta(const Finish *finish)
+{
+	return finish->diffuse == 0 && finish->diffuse_back == 0 && finish->phong <= 0 && finish->specular <= 0 &&
+		finish->irid.amount <= 0;
+}
+
+bool bsdf_is_delta(const Bsdf *bsdf)
+{
+	for (int i = 0; i < bsdf->count; i++)
+		if (!finish_is_delta(bsdf->layers[i].finish))
+			return false;
+	return true;
+}
+
+bool bsdf_sees_back(const Bsdf *bsdf)
+{
+	if (bsdf->both_sides)
+		return true;
+	for (int i = 0; i < bsdf->count; i++)
+		if (bsdf->layers[i].finish->diffuse_back != 0)
+			return true;
+	return false;
+}
+
+/* ---- mirrors and the passage through ---- */
+
+/* A mirrored direction that bumps sent into the surface is mirrored out of it again. */
+static Vec3 mirror_direction(const Bsdf *bsdf, Vec3 normal)
+{
+	Vec3 incoming = vec3_neg(bsdf->from);
+	Vec3 out = vec3_reflect(incoming, normal);
+	if (vec3_dot(out, bsdf->geometric) >= 0)
+		return out;
+	if (vec3_dot(out, normal) < 0)
+		out = vec3_reflect(incoming, bsdf->geometric);
+	else
+		out = vec3_reflect(out, bsdf->geometric);
+	return vec3_normalize(out);
+}
+
+static BsdfEvent passage(const Bsdf *bsdf, Transport transport)
+{
+	BsdfEvent event = {.kind = BSDF_TRANSMIT, .weight = bsdf->through, .exponent = 1, .to = vec3_neg(bsdf->from)};
+	if (fabs(bsdf->ior - 1) < 1e-10)
+		return event;
+	event.bent = true;
+	/* A normal that bumps turned away from the viewer counts from its other side. */
+	Vec3 normal = bsdf->layers[0].normal;
+	if (vec3_dot(normal, bsdf->from) < 0)
+		normal = vec3_neg(normal);
+	event.total = !bsdf_refract(event.to, normal, bsdf->ior, &event.to);
+	if (event.total)
+		event.to = mirror_direction(bsdf, normal);
+	/* POV-Ray leaves out the change of radiance with the square of the index, in both directions. */
+	(void)transport;
+	return event;
+}
+
+int bsdf_events(const Bsdf *bsdf, Transport transport, BsdfEvent out[BSDF_MAX_EVENTS])
+{
+	int count = 0;
+	if (bsdf->count && !rgb_is_black(bsdf->through))
+		out[count++] = passage(bsdf, transport);
+	for (int i = 0; i < bsdf->count; i++) {
+		const BsdfLayer *layer = &bsdf->layers[i];
+		Rgb weight = layer->mirror;
+		if (!rgb_is_black(weight))
+			out[count++] = (BsdfEvent){
+				.kind = BSDF_REFLECT, .weight = weight, .exponent = layer->finish->reflection.exponent,
+				.to = mirror_direction(bsdf, layer->normal),
+			};
+	}
+	return count;
+}
+
+/* ---- sampling ---- */
+
+/* The share of light that the diffuse lobes send on, as a guide for choosing. */
+static Rgb diffuse_albedo(const Bsdf *bsdf)
+{
+	Rgb sum = {0, 0, 0};
+	for (int i = 0; i < bsdf->count; i++) {
+		const BsdfLayer *layer = &bsdf->layers[i];
+		float share = layer->finish->diffuse * layer->opacity * 2 / (layer->finish->brilliance + 1);
+		sum = rgb_add(sum, rgb_scale(rgb_mul(layer->color, layer->above), share));
+	}
+	return sum;
+}
+
+double bsdf_pdf(const Bsdf *bsdf, Vec3 to)
+{
+	double cosine = vec3_dot(bsdf->geometric, to);
+	return cosine > 0 ? cosine / PI : 0;
+}
+
+static Vec3 cosine_direction(Vec3 normal, double a, double b)
+{
+	Vec3 u, v;
+	vec3_frame(normal, &u, &v);
+	double radius = sqrt(a), turn = 2 * PI * b;
+	Vec3 flat = vec3_add(vec3_scale(u, radius * cos(turn)), vec3_scale(v, radius * sin(turn)));
+	return vec3_mad(flat, sqrt(fmax(1 - a, 0)), normal);
+}
+
+static double mean(Rgb color)
+{
+	return ((double)color.r + color.g + color.b) / 3;
+}
+
+/* The smooth direction's weight: eval / pi is f cos, over the density cos / pi and the chance of the choice. */
+static BsdfEvent smooth_event(const Bsdf *bsdf, const double u[3], double chance)
+{
+	BsdfEvent event = {.kind = BSDF_SMOOTH, .exponent = 1, .to = cosine_direction(bsdf->geometric, u[1], u[2])};
+	double cosine = fmax(vec3_dot(event.to, bsdf->geometric), 1e-9);
+	event.weight = rgb_scale(bsdf_eval(bsdf, event.to, true), (float)(1 / (cosine * chance)));
+	return event;
+}
+
+bool bsdf_sample(const Bsdf *bsdf, const double u[3], Transport transport, BsdfEvent *out)
+{
+	BsdfEvent events[BSDF_MAX_EVENTS];
+	int count = bsdf_events(bsdf, transport, events);
+	double smooth = mean(diffuse_albedo(bsdf)), total = smooth;
+	for (int i = 0; i < count; i++)
+		total += mean(events[i].weight);
+	double scale = total > 1 ? 1 / total : 1, at = u[0];
+	for (int i = 0; i < count; i++) {
+		double chance = mean(events[i].weight) * scale;
+		if (at < chance) {
+			*out = events[i];
+			out->weight = rgb_scale(out->weight, (float)(1 / chance));
+			return true;
+		}
+		at -= chance;
+	}
+	if (at >= smooth * scale)
+		return false;
+	*out = smooth_event(bsdf, u, smooth * scale);
+	return true;
+}
