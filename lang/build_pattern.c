@@ -337,21 +337,32 @@ static const PatternClass *find_class(Context *context, Word word, Location wher
 	return class;
 }
 
+/* Only the class changes and what it insists on: an identifier's waves and warps stay. */
+static void become(Pattern *pattern, const PatternClass *class)
+{
+	Pattern old = *pattern;
+	pattern_init(pattern, class);
+	pattern->warps = old.warps;
+	pattern->noise_generator = old.noise_generator;
+	pattern->phase = old.phase;
+	pattern->exponent = old.exponent;
+	if (pattern->frequency != 0)
+		pattern->frequency = old.frequency;
+	if (!(class->flags & PATTERN_TRIANGLE))
+		pattern->wave = old.wave;
+}
+
 bool build_accept_pattern(Cursor *cursor, Pattern *pattern)
 {
 	const PatternRow *row = peek_row(cursor);
 	if (!row)
 		return false;
-	const Warp *warps = pattern->warps;
-	int noise = pattern->noise_generator;
 	const PatternClass *class = find_class(cursor->context, row->word, cursor_where(cursor));
 	if (!class) {
 		cursor_next(cursor);
 		return true;
 	}
-	pattern_init(pattern, class);
-	pattern->warps = warps;
-	pattern->noise_generator = noise;
+	become(pattern, class);
 	if (!row->own_word)
 		cursor_next(cursor);
 	if (row->parameters)

@@ -57,8 +57,8 @@ static bool is_list(const Pigment *pigment)
 	return pigment->pattern.class && pigment->pattern.class->list > 0;
 }
 
-/* A new pattern keeps a map that is there already (from an identifier) unless that belonged to a list. */
-static void become_patterned(Cursor *cursor, Pigment *pigment, bool was_list)
+/* A new pattern keeps a map or a list's colours that are there already, from an identifier. */
+static void become_patterned(Cursor *cursor, Pigment *pigment)
 {
 	if (!pigment->pattern.class) {
 		pigment->kind = PIGMENT_COLOR;
@@ -68,9 +68,9 @@ static void become_patterned(Cursor *cursor, Pigment *pigment, bool was_list)
 		take_list(cursor, pigment);
 		return;
 	}
-	if (pigment->kind == PIGMENT_PIGMENT_MAP)
-		return;
-	if (pigment->color_count > 0 && !was_list)
+	if (pigment->kind == PIGMENT_PIGMENT_MAP || pigment->kind == PIGMENT_LIST)
+		pigment->kind = PIGMENT_PIGMENT_MAP;
+	else if (pigment->color_count > 0)
 		pigment->kind = PIGMENT_COLOR_MAP;
 	else
 		build_default_map(pigment);
@@ -103,7 +103,10 @@ static void take_uv_mapping(Cursor *cursor, Pigment *pigment)
 static void take_color_map(Cursor *cursor, Pigment *pigment)
 {
 	const ColorMap *map = build_color_map(cursor->context, cursor_next(cursor));
-	if (map->count == 0)
+	if (is_list(pigment))
+		diag_error(cursor->context->diag, cursor->last->where, "'%s' takes colours or pigments, not a map",
+		           pigment->pattern.class->name);
+	if (map->count == 0 || is_list(pigment))
 		return;
 	pigment->kind = pigment->pattern.class ? PIGMENT_COLOR_MAP : pigment->kind;
 	pigment->colors = map->entries;
@@ -130,7 +133,6 @@ static void take_quick_color(Cursor *cursor, Pigment *pigment)
 /* The kind of pigment or one modifier; false when none is next. */
 static bool take_item(Cursor *cursor, Pigment *pigment)
 {
-	bool was_list = is_list(pigment);
 	if (cursor_peek_numeric(cursor)) {
 		cursor_take_color(cursor, &pigment->color);
 		pigment->kind = PIGMENT_COLOR;
@@ -153,7 +155,7 @@ static bool take_item(Cursor *cursor, Pigment *pigment)
 		break;
 	}
 	if (build_accept_pattern(cursor, &pigment->pattern)) {
-		become_patterned(cursor, pigment, was_list);
+		become_patterned(cursor, pigment);
 		return true;
 	}
 	return build_accept_pattern_modifier(cursor, &pigment->pattern);

@@ -167,10 +167,13 @@ static void take_uv_mapping(Cursor *cursor, Texture *texture)
 
 /* ---- items ---- */
 
-/* A pigment, normal or finish: with its block, or as POV-Ray also reads it, by its bare name. */
+/* A pigment, normal or finish: with its block, or as POV-Ray also reads it, by its bare name. Of several layers the top one
+ * changes (the manual says the bottom one; the program does not). */
 static bool take_part(Cursor *cursor, Texture *texture)
 {
 	Context *context = cursor->context;
+	while (texture->next)
+		texture = (Texture *)(void *)texture->next;
 	const Node *block;
 	const void *named;
 	if ((block = cursor_accept_block(cursor, W_pigment)))
