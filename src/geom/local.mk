@@ -12,3 +12,4 @@ libgeom_a_SOURCES += src/geom/cone.c src/geom/cone.h src/geom/disc.c src/geom/di
 libgeom_a_SOURCES += src/geom/poly.c src/geom/poly.h src/geom/superellipsoid.c src/geom/superellipsoid.h
 libgeom_a_SOURCES += src/geom/blob.c src/geom/blob.h src/geom/container.c src/geom/container.h
 libgeom_a_SOURCES += src/geom/isosurface.c src/geom/isosurface.h
+libgeom_a_SOURCES += src/geom/sphere_sweep.c src/geom/sphere_sweep.h src/geom/ovus.c src/geom/ovus.h

@@ -14,3 +14,6 @@ tests_unit_test_sweep_LDADD = libgeom.a libbase.a $(FREETYPE_LIBS)
 check_PROGRAMS += tests/unit/test_implicit
 tests_unit_test_implicit_SOURCES = tests/unit/test_implicit.c tests/unit/shape_check.h tests/unit/check.h
 tests_unit_test_implicit_LDADD = libgeom.a libbase.a
+check_PROGRAMS += tests/unit/test_sphere_sweep
+tests_unit_test_sphere_sweep_SOURCES = tests/unit/test_sphere_sweep.c tests/unit/shape_check.h tests/unit/check.h
+tests_unit_test_sphere_sweep_LDADD = libgeom.a libbase.a
