@@ -22,15 +22,11 @@ static Transform scale_by(Cursor *cursor, Vec3 by)
 	return transform_scale(by);
 }
 
-/* The parser gives matrix <...> as twelve floats, or as a vector's worth at a time. */
 static Transform take_matrix(Cursor *cursor)
 {
 	double rows[12];
 	Transform matrix = transform_identity();
-	for (int i = 0; i < 12; i++)
-		if (!cursor_take_float(cursor, &rows[i]))
-			return matrix;
-	if (!transform_matrix(rows, &matrix))
+	if (cursor_take_floats(cursor, rows, 12) && !transform_matrix(rows, &matrix))
 		diag_error(cursor->context->diag, cursor->last->where, "this matrix cannot be inverted");
 	return matrix;
 }

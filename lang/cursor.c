@@ -213,6 +213,22 @@ bool cursor_take_rgb(Cursor *cursor, Rgb *out)
 	return true;
 }
 
+bool cursor_take_floats(Cursor *cursor, double *out, int count)
+{
+	int filled = 0;
+	while (filled < count) {
+		if (!cursor_peek_numeric(cursor))
+			return cursor_expected(cursor, arena_printf(cursor->context->items, "%d floats", count));
+		Value value = cursor_next(cursor)->value;
+		if (value.kind == VALUE_FLOAT)
+			out[filled++] = value.number;
+		else
+			for (int i = 0; i < value.size && filled < count; i++)
+				out[filled++] = value.v[i];
+	}
+	return true;
+}
+
 bool cursor_take_string(Cursor *cursor, const char **out)
 {
 	if (!cursor_peek_string(cursor))

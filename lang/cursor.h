@@ -67,6 +67,8 @@ bool cursor_take_vec3(Cursor *cursor, Vec3 *out);
 /* Any numeric value; a float f is <f, f, f, 0, 0>. */
 bool cursor_take_color(Cursor *cursor, Rgbft *out);
 bool cursor_take_rgb(Cursor *cursor, Rgb *out);
+/* count numbers, as floats or as vectors' components in a row. */
+bool cursor_take_floats(Cursor *cursor, double *out, int count);
 bool cursor_take_string(Cursor *cursor, const char **out);
 const void *cursor_take_item(Cursor *cursor, ValueKind kind, const char *what);
 /* on, off or a number; nothing stands for on. */

@@ -26,6 +26,7 @@ typedef struct Light {
 	bool jitter, circular, orient, area_illumination;
 	bool media_interaction, media_attenuation;
 	bool photons_refraction, photons_reflection;
+	bool photons_area;             /* photons start from the whole area */
 	int group;                     /* light_group it belongs to; 0: lights everything */
 	const void *projected_through; /* const Shape *, for the renderer */
 } Light;

@@ -1,0 +1,132 @@
+/* height_field { }: heights from an image file or a function. */
+#include <math.h>
+
+#include "geom/height_field.h"
+#include "image/image.h"
+#include "lang/build_object.h"
+#include "lang/files.h"
+#include "surface/function.h"
+
+enum { RESOLUTION_MAX = 16384 };
+
+/* The words before a file name say its type; the file's content says it better. */
+static void skip_type(Cursor *cursor)
+{
+	static const Word types[] = {W_exr, W_gif, W_hdr, W_iff, W_jpeg, W_pgm, W_png, W_pot, W_ppm, W_sys, W_tga, W_tiff, W_bmp};
+	for (size_t i = 0; i < sizeof types / sizeof *types; i++)
+		if (cursor_accept_word(cursor, types[i]))
+			return;
+}
+
+/* A palette image holds heights as indices, a grey one as its values; a colour one in its red (high) and green (low) bytes. */
+static float pixel_height(const Image *image, size_t pixel)
+{
+	if (image->indices)
+		return (float)(image->indices[pixel] / 255.0);
+	const float *channel = image->pixels + pixel * (size_t)image->channels;
+	if (image->channels < 3 || image->bits > 8)
+		return channel[0];
+	return (float)((round(channel[0] * 255.0) * 256 + round(channel[1] * 255.0)) / 65535);
+}
+
+/* The image's lowest row lies at z = 0. */
+static const float *image_heights(Arena *arena, const Image *image)
+{
+	size_t width = (size_t)image->width, depth = (size_t)image->height;
+	float *heights = arena_alloc(arena, width * depth * sizeof *heights);
+	for (size_t z = 0; z < depth; z++)
+		for (size_t x = 0; x < width; x++)
+			heights[z * width + x] = pixel_height(image, (depth - 1 - z) * width + x);
+	return heights;
+}
+
+/* gamma number, gamma srgb, premultiplied on: after the file's name. */
+static void read_image_words(Cursor *cursor, Image *image)
+{
+	for (;;) {
+		if (cursor_accept_word(cursor, W_premultiplied)) {
+			cursor_optional_bool(cursor);
+		} else if (cursor_accept_word(cursor, W_gamma)) {
+			double gamma = 0;
+			if (!cursor_accept_word(cursor, W_srgb))
+				cursor_take_float(cursor, &gamma);
+			if (image) {
+				image->gamma = 0;
+				image_linearize(image, gamma);
+			}
+		} else {
+			return;
+		}
+	}
+}
+
+static bool read_file(Cursor *cursor, HeightFieldDesc *desc)
+{
+	Context *context = cursor->context;
+	Location where = cursor_where(cursor);
+	const char *name = NULL;
+	if (!cursor_take_string(cursor, &name))
+		return false;
+	const char *path = files_find(context, name);
+	if (!path)
+		diag_error(context->diag, where, "cannot find the image '%s'", name);
+	bool may = path && files_may_read(context, path, where);
+	Image *image = may ? image_read(path, context->diag) : NULL;
+	read_image_words(cursor, image);
+	if (!image)
+		return false;
+	desc->width = image->width;
+	desc->depth = image->height;
+	desc->heights = image_heights(context->builder->arena, image);
+	image_destroy(image);
+	return true;
+}
+
+/* function columns, rows { ... }: sampled over the unit square of x and y. */
+static bool read_function(Cursor *cursor, HeightFieldDesc *desc)
+{
+	Location where = cursor_where(cursor);
+	if (!cursor_take_int(cursor, &desc->width) || !cursor_take_int(cursor, &desc->depth))
+		return false;
+	const Function *function = cursor_take_item(cursor, VALUE_FUNCTION, "a function");
+	if (!function)
+		return false;
+	bool sound = desc->width >= 2 && desc->depth >= 2 && desc->width <= RESOLUTION_MAX && desc->depth <= RESOLUTION_MAX;
+	if (!sound || function_arity(function) > 3) {
+		diag_error(cursor->context->diag, where, sound ? "this function has more than three parameters"
+		                                               : "a resolution from 2 to 16384 was expected");
+		return false;
+	}
+	float *heights = ARENA_ARRAY(cursor->context->builder->arena, float, (size_t)desc->width * (size_t)desc->depth);
+	for (int z = 0; z < desc->depth; z++)
+		for (int x = 0; x < desc->width; x++) {
+			double args[3] = {(double)x / (desc->width - 1), (double)z / (desc->depth - 1), 0};
+			double height = function_eval(function, args);
+			heights[(size_t)z * (size_t)desc->width + (size_t)x] = (float)fmin(fmax(height, 0), 1);
+		}
+	desc->heights = heights;
+	return true;
+}
+
+bool build_height_field(Cursor *cursor, Object *object)
+{
+	HeightFieldDesc desc = {0};
+	const char *error = NULL;
+	skip_type(cursor);
+	bool good = cursor_accept_word(cursor, W_function) ? read_function(cursor, &desc) : read_file(cursor, &desc);
+	for (;;) {
+		if (cursor_accept_word(cursor, W_smooth))
+			desc.smooth = cursor_optional_bool(cursor);
+		else if (cursor_accept_word(cursor, W_water_level))
+			good &= cursor_take_float(cursor, &desc.water_level);
+		else if (cursor_accept_word(cursor, W_hierarchy))
+			cursor_optional_bool(cursor);
+		else
+			break;
+	}
+	if (!good)
+		return false;
+	const void *data = height_field_create(cursor->context->builder->arena, &desc, &error);
+	const ShapeClass *class = desc.smooth ? &smooth_height_field_class : &height_field_class;
+	return build_shape_set(cursor, object, class, data, error);
+}
