@@ -4,6 +4,8 @@
 #ifndef PARSER_READER_H
 #define PARSER_READER_H
 
+#include <signal.h>
+
 #include "base/diag.h"
 #include "scene/scene.h"
 
@@ -27,6 +29,7 @@ typedef struct ReaderOptions {
 	int image_width, image_height;
 	bool allow_write_anywhere;
 	const char *const *allowed_read_paths; int allowed_read_path_count; /* empty: everywhere */
+	const volatile sig_atomic_t *interrupted; /* reading ends soon after it became nonzero; or NULL */
 } ReaderOptions;
 
 /* Fills the builder. False when there were errors, all reported. */

@@ -1,0 +1,123 @@
+/* #debug, #warning, #error... and #fopen, #read, #write, #fclose. */
+#include "lang/files.h"
+#include "parser/grammar.h"
+#include "parser/state.h"
+
+void stream_directive(Reader *reader, Word word, Location where)
+{
+	const char *text;
+	if (!frame_string(reader, &text))
+		return;
+	if (word == W_error) {
+		diag_error(reader->context.diag, where, "%s", text);
+		reader->stopped = true;
+	} else {
+		diag_text(reader->context.diag, text);
+	}
+}
+
+/* The open file that a name stands for; NULL after a report. */
+static SceneFile *read_file(Reader *reader, Name **name)
+{
+	Location where = source_here(reader);
+	*name = source_take_name(reader, "a file's name");
+	if (!*name)
+		return NULL;
+	const Value *value = (*name)->symbol ? symbol_value((*name)->symbol) : NULL;
+	if (value && value->kind == VALUE_FILE)
+		return value->file;
+	diag_error(reader->context.diag, where, "'%s' is no open file", (*name)->text);
+	return NULL;
+}
+
+static bool read_mode(Reader *reader, FileMode *mode)
+{
+	Location where = source_here(reader);
+	const Token *token = source_peek(reader, 0);
+	switch (token && token->kind == TOKEN_NAME ? token->name->word : W_NONE) {
+	case W_read: *mode = FILE_READ; break;
+	case W_write: *mode = FILE_WRITE; break;
+	case W_append: *mode = FILE_APPEND; break;
+	default:
+		diag_error(reader->context.diag, where, "expected read, write or append");
+		return false;
+	}
+	source_top(reader)->position++;
+	return true;
+}
+
+static void run_fopen(Reader *reader)
+{
+	const char *path;
+	FileMode mode;
+	Name *name = source_take_name(reader, "an identifier for the file");
+	Location where = source_here(reader);
+	if (!name || !frame_string(reader, &path) || !read_mode(reader, &mode))
+		return;
+	SceneFile *file = files_open(&reader->context, path, mode, where);
+	Value value = file ? (Value){.kind = VALUE_FILE, .file = file} : value_none();
+	symbols_declare(reader->symbols, name, value, false)->poisoned = !file;
+}
+
+static void run_fclose(Reader *reader)
+{
+	Name *name;
+	SceneFile *file = read_file(reader, &name);
+	if (!file)
+		return;
+	files_close(file);
+	symbols_remove(reader->symbols, name);
+}
+
+static void run_read(Reader *reader)
+{
+	Name *name;
+	if (!source_take_sign(reader, '(', "#read"))
+		return;
+	SceneFile *file = read_file(reader, &name);
+	bool good = file != NULL;
+	while (good && source_accept_sign(reader, ',')) {
+		Value value;
+		Location where = source_here(reader);
+		if (files_at_end(file))
+			diag_error(reader->context.diag, where, "nothing is left to read from '%s'", name->text);
+		good = !files_at_end(file) && files_read(&reader->context, file, &value, where) &&
+		       declare_assign(reader, value);
+	}
+	if (good)
+		source_take_sign(reader, ')', "the variables");
+	/* `#while (defined(File))` is how scenes read to the end. */
+	if (file && files_at_end(file)) {
+		files_close(file);
+		symbols_remove(reader->symbols, name);
+	}
+}
+
+static void run_write(Reader *reader)
+{
+	Name *name;
+	Frame frame;
+	if (!source_take_sign(reader, '(', "#write"))
+		return;
+	SceneFile *file = read_file(reader, &name);
+	if (!file || source_accept_sign(reader, ')'))
+		return;
+	source_accept_sign(reader, ',');
+	Location where = source_here(reader);
+	if (!frame_arguments(reader, &frame))
+		return;
+	reader->value_count = frame.run.start;
+	for (int i = 0; i < frame.run.count; i++)
+		files_write(&reader->context, file, reader->values[frame.run.start + i], where);
+}
+
+void file_directive(Reader *reader, Word word, Location where)
+{
+	(void)where;
+	switch (word) {
+	case W_fopen: run_fopen(reader); break;
+	case W_fclose: run_fclose(reader); break;
+	case W_read: run_read(reader); break;
+	default: run_write(reader); break;
+	}
+}
