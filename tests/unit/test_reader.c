@@ -19,7 +19,7 @@ static void test_items(void)
 {
 	check_scene("sphere { <0,1,0>, 2 hollow scale 3 }", "(sphere <0,1,0> 2 hollow scale 3)\n");
 	check_scene("union { box { 0, 1 } texture { pigment { color_map { [0, 0.5 rgb 1] } } } }",
-	            "(union (box 0 1) (texture (pigment (color_map [ 0 0.5 color<1,1,1,0,0>]))))\n");
+	            "(union (box 0 1) (texture (pigment (color_map [0 0.5 color<1,1,1,0,0>]))))\n");
 	check_scene("#declare T = texture { } texture { }\nsphere { T }", "(sphere {a texture})\n");
 	check_scene("default { finish { ambient 1 } } #default { pigment { rgb 0 } }",
 	            "default: (finish ambient 1)\ndefault: (pigment color<0,0,0,0,0>)\n");
@@ -40,7 +40,7 @@ static void test_expressions(void)
 
 static void test_directives(void)
 {
-	check_scene("#declare A = 1 #declare B = A + 1\nbox { A B }", "(box 1 2)\n");
+	check_scene("#version 3.1 #declare A = 1 #declare B = A + 1\nbox { A B }", "(box 1 2)\n");
 	check_scene("#if (0) box { 1 } #elseif (1) box { 2 } #else box { 3 } #end", "(box 2)\n");
 	check_scene("#declare i = 0;\nunion { #while (i < 3) i #declare i = i + 1; #end }", "(union 0 1 2)\n");
 	check_scene("box { #for (I, 1, 2, 0.25) I, #end }", "(box 1 1.25 1.5 1.75 2)\n");
