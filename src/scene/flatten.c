@@ -112,11 +112,35 @@ static bool textures_are_opaque(const Surface *surface)
 	return true;
 }
 
+/* uv_mapping of the object lays its textures out over (u, v); from here on the flag says that some texture needs these. */
+static void apply_uv_mapping(Arena *arena, Surface *surface)
+{
+	bool whole = surface->uv_mapping;
+	if (whole) {
+		surface->texture = texture_by_uv(arena, surface->texture);
+		if (surface->interior_texture)
+			surface->interior_texture = texture_by_uv(arena, surface->interior_texture);
+	}
+	surface->uv_mapping = whole || texture_uses_uv(surface->texture) ||
+		(surface->interior_texture && texture_uses_uv(surface->interior_texture));
+	if (!surface->texture_count)
+		return;
+	const Texture **textures = ARENA_ARRAY(arena, const Texture *, surface->texture_count);
+	for (int i = 0; i < surface->texture_count; i++) {
+		const Texture *texture = surface->textures[i];
+		textures[i] = whole && texture ? texture_by_uv(arena, texture) : texture;
+		surface->uv_mapping = surface->uv_mapping || (texture && texture_uses_uv(texture));
+	}
+	surface->textures = textures;
+}
+
 static const Surface *keep_surface(Flatten *flatten, State *state)
 {
 	if (!state->made) {
-		state->surface.opaque = textures_are_opaque(&state->surface);
-		state->made = arena_copy(flatten->arena, &state->surface, sizeof state->surface);
+		Surface surface = state->surface;
+		apply_uv_mapping(flatten->arena, &surface);
+		surface.opaque = textures_are_opaque(&surface);
+		state->made = arena_copy(flatten->arena, &surface, sizeof surface);
 	}
 	return state->made;
 }

@@ -110,3 +110,14 @@ Vec3 normal_perturb(const Normal *normal, const SurfacePoint *at, Vec3 n)
 	Vec3 bent = sound_or(pattern_unwarp_normal(&normal->pattern, local), n);
 	return keep ? bent : vec3_normalize(bent);
 }
+
+bool normal_uses_uv(const Normal *normal)
+{
+	if (normal->kind == NORMAL_UV)
+		return true;
+	bool nested = normal->kind == NORMAL_NORMAL_MAP || normal->kind == NORMAL_LIST || normal->kind == NORMAL_AVERAGE;
+	for (int i = 0; nested && i < normal->normal_count; i++)
+		if (normal_uses_uv(normal->normals[i].normal))
+			return true;
+	return false;
+}

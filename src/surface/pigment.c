@@ -98,3 +98,14 @@ bool pigment_is_opaque(const Pigment *pigment)
 		return true;
 	}
 }
+
+bool pigment_uses_uv(const Pigment *pigment)
+{
+	if (pigment->kind == PIGMENT_UV)
+		return true;
+	bool nested = pigment->kind == PIGMENT_PIGMENT_MAP || pigment->kind == PIGMENT_LIST || pigment->kind == PIGMENT_AVERAGE;
+	for (int i = 0; nested && i < pigment->pigment_count; i++)
+		if (pigment_uses_uv(pigment->pigments[i].pigment))
+			return true;
+	return false;
+}

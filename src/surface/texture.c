@@ -143,6 +143,35 @@ bool texture_is_opaque(const Texture *texture)
 	return true;
 }
 
+static bool layer_uses_uv(const Texture *texture)
+{
+	if (texture->kind == TEXTURE_UV)
+		return true;
+	if (texture->kind == TEXTURE_PLAIN)
+		return pigment_uses_uv(texture->pigment) || (texture->normal && normal_uses_uv(texture->normal));
+	for (int i = 0; i < texture->texture_count; i++)
+		if (texture_uses_uv(texture->textures[i].texture))
+			return true;
+	return false;
+}
+
+bool texture_uses_uv(const Texture *texture)
+{
+	for (; texture; texture = texture->next)
+		if (layer_uses_uv(texture))
+			return true;
+	return false;
+}
+
+const Texture *texture_by_uv(Arena *arena, const Texture *texture)
+{
+	TextureEntry *entry = ARENA_NEW(arena, TextureEntry);
+	Texture *uv = ARENA_NEW(arena, Texture);
+	*entry = (TextureEntry){0, texture};
+	*uv = (Texture){.kind = TEXTURE_UV, .textures = entry, .texture_count = 1};
+	return uv;
+}
+
 const struct Interior *texture_interior(const Texture *texture)
 {
 	for (; texture; texture = texture->next) {

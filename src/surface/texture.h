@@ -45,6 +45,7 @@ struct Pigment {
 Rgbft pigment_color(const Pigment *pigment, const SurfacePoint *at);
 /* True when no place of it lets light through. May say false for an opaque one. */
 bool pigment_is_opaque(const Pigment *pigment);
+bool pigment_uses_uv(const Pigment *pigment);
 
 /* ---- normal: a perturbation of the shading normal ---- */
 
@@ -68,6 +69,8 @@ struct Normal {
 /* The perturbed normal for the normal n; at->p, n and the result are in the space that the normal block stands in (its
  * warps lead down from there). Unit, unless no_bump_scale keeps lengths. */
 Vec3 normal_perturb(const Normal *normal, const SurfacePoint *at, Vec3 n);
+
+bool normal_uses_uv(const Normal *normal);
 
 /* ---- finish ---- */
 
@@ -135,6 +138,10 @@ void texture_shade(const Texture *texture, const Transform *attach, const Surfac
 
 /* True when no place of it lets light through. May say false for an opaque one. */
 bool texture_is_opaque(const Texture *texture);
+/* True when some part of it looks at the surface's (u, v). */
+bool texture_uses_uv(const Texture *texture);
+/* The same texture laid out over (u, v), as uv_mapping in an object asks for. */
+const Texture *texture_by_uv(Arena *arena, const Texture *texture);
 /* The interior that old versions' finish words give an object without one; NULL: none. */
 const struct Interior *texture_interior(const Texture *texture);
 
