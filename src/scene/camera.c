@@ -83,25 +83,28 @@ static bool project_ultra_wide(const Camera *camera, const ImagePoint *at, Ray *
 	return true;
 }
 
-/* The lens of dome cinemas: the polynomial is its radial distortion, the image stops 45 degrees below the horizon. */
+/* The lens of dome cinemas: the polynomial is its radial distortion. The film's frame shows the disc down to 45 degrees below
+ * the horizon, and is as wide as the disc when it is not too narrow; measured. */
 static bool project_omnimax(const Camera *camera, const ImagePoint *at, Ray *ray)
 {
+	const double frame = 0.77914; /* half of 1 + the radius that sees 45 degrees */
+	double aspect = vec3_length(camera->right) / vec3_length(camera->up);
+	double height = fmax(1 / aspect, frame);
 	ImagePoint disc = *at;
-	disc.x *= 2;
-	disc.y *= 2;
+	disc.x = 2 * at->x * fmax(aspect * frame, 1);
+	disc.y = 2 * at->y * height + (aspect > 1 ? 1 - height : 0);
 	double radius = hypot(disc.x, disc.y), r2 = radius * radius;
 	double theta = radius * (1.411269 - 0.09439 * r2 + 0.25674 * r2 * r2);
 	ray->direction = polar_direction(camera, &disc, radius, theta);
-	double elevation = radius > 0 ? asin(sin(theta) * disc.y / radius) : 0;
-	return radius <= 1 && elevation > -PI / 4;
+	double rise = radius > 0 ? sin(theta) * disc.y / radius : 0;
+	return radius <= 1 && rise + cos(theta) >= 0;
 }
 
+/* An upright cylinder around the eye, half a turn wide, the height of the image all of it; no angle counts. */
 static bool project_panoramic(const Camera *camera, const ImagePoint *at, Ray *ray)
 {
-	double x = at->x * radians(camera->angle > 0 ? camera->angle : 180);
-	double y = at->y * PI;
-	ray->direction = combine(vec3_normalize(camera->right), cos(y) * sin(x), vec3_normalize(camera->up), sin(y),
-	                         vec3_normalize(camera->direction), cos(y) * cos(x));
+	ray->direction = combine(camera->right, sin(PI * at->x), camera->up, tan(PI * at->y),
+	                         camera->direction, cos(PI * at->x));
 	return true;
 }
 
