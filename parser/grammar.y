@@ -134,7 +134,7 @@ nodes:
 	;
 
 node:
-	  expression %prec LOW                  { $$ = tree_value(reader, NODE_VALUE, $1, @1); }
+	  expression %prec LOW                  { $$ = tree_expression(reader, $1, @1); }
 	| ITEM                                  { $$ = tree_value(reader, NODE_ITEM, $1, @1); }
 	| plain                                 { $$ = tree_word(reader, NODE_WORD, $1, NULL, @1); }
 	| block
@@ -245,9 +245,7 @@ expression:
 	  VALUE
 	| call
 	| '(' condition ')'                     { $$ = $2; }
-	| '<' components '>'                    {
-		$$ = expression_vector(&reader->context, run_values(reader, $2), $2.count, @1);
-	  }
+	| '<' components '>'                    { $$ = tree_vector(reader, $2, @1); }
 	| expression MEMBER                     { $$ = expression_member(&reader->context, $1, $2, @1); }
 	| '-' expression %prec UNARY            { $$ = expression_unary(&reader->context, OP_NEG, $2, @1); }
 	| '+' expression %prec UNARY            { $$ = expression_unary(&reader->context, OP_PLUS, $2, @1); }

@@ -208,7 +208,11 @@ void frame_syntax_error(Reader *reader, Location where, const char *expected, co
 
 /* tree.c: what the grammar's actions call. */
 Node *tree_value(Reader *reader, NodeKind kind, Value value, Location where);
+Value tree_vector(Reader *reader, ValueRun components, Location where);
+/* An expression in an item: one node, or a vector of more than five components in nodes of five. */
+Node *tree_expression(Reader *reader, Value value, Location where);
 Node *tree_word(Reader *reader, NodeKind kind, Word word, Node *children, Location where);
+/* Appends a node, or the sequence that begins with it. */
 NodeList tree_append(NodeList list, Node *node);
 void tree_push(Reader *reader, Value value);
 Value tree_build(Reader *reader, Node *nodes);

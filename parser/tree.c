@@ -15,6 +15,41 @@ Node *tree_value(Reader *reader, NodeKind kind, Value value, Location where)
 	return node;
 }
 
+/* A vector literal of any length; more than five components only a matrix and polynomials have. */
+Value tree_vector(Reader *reader, ValueRun components, Location where)
+{
+	const Value *values = reader->values + components.start;
+	reader->value_count = components.start;
+	if (components.count <= 5)
+		return expression_vector(&reader->context, values, components.count, where);
+	double *numbers = ARENA_ARRAY(reader->context.items, double, components.count);
+	for (int i = 0; i < components.count; i++) {
+		if (!value_is_numeric(values[i])) {
+			diag_error(reader->context.diag, where, "component %d must be a float, found %s", i + 1,
+			           value_describe(values[i]));
+			return value_float(0);
+		}
+		numbers[i] = value_to_float(values[i]);
+	}
+	return (Value){.kind = VALUE_NONE, .size = components.count, .item = numbers};
+}
+
+Node *tree_expression(Reader *reader, Value value, Location where)
+{
+	if (value.kind != VALUE_NONE || value.size <= 5)
+		return tree_value(reader, NODE_VALUE, value, where);
+	const double *numbers = value.item;
+	NodeList list = {0};
+	for (int done = 0; done < value.size; done += 5) {
+		int count = value.size - done < 5 ? value.size - done : 5;
+		Value part = {.kind = count > 1 ? VALUE_VECTOR : VALUE_FLOAT, .size = count};
+		for (int i = 0; i < count; i++)
+			part.v[i] = numbers[done + i];
+		list = tree_append(list, tree_value(reader, NODE_VALUE, part, where));
+	}
+	return list.first;
+}
+
 Node *tree_word(Reader *reader, NodeKind kind, Word word, Node *children, Location where)
 {
 	Node *node = arena_alloc(reader->context.items, sizeof *node);
@@ -31,7 +66,8 @@ NodeList tree_append(NodeList list, Node *node)
 		list.last->next = node;
 	else
 		list.first = node;
-	list.last = node;
+	for (list.last = node; list.last->next; list.last = list.last->next)
+		;
 	return list;
 }
 
