@@ -107,15 +107,19 @@ bool build_blob(Cursor *cursor, Object *object)
 	return build_shape_set(cursor, object, &blob_class, blob_create(scene_arena(cursor), &desc, &error), error);
 }
 
-/* A function of at most three arguments. */
+/* function { ... }: of at most three arguments. */
 static const Function *take_function(Cursor *cursor)
 {
-	cursor_accept_word(cursor, W_function);
-	Location where = cursor_where(cursor);
-	const Function *function = cursor_take_item(cursor, VALUE_FUNCTION, "a function");
+	const Node *block = cursor_accept_block(cursor, W_function);
+	if (!block) {
+		cursor_expected(cursor, "'function {'");
+		return NULL;
+	}
+	Cursor inside = cursor_begin(cursor->context, block);
+	const Function *function = cursor_take_item(&inside, VALUE_FUNCTION, "a function of a float");
 	if (!function || function_arity(function) <= 3)
 		return function;
-	diag_error(cursor->context->diag, where, "this function has more than three parameters");
+	diag_error(cursor->context->diag, block->where, "this function has more than three parameters");
 	return NULL;
 }
 

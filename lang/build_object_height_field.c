@@ -82,14 +82,13 @@ static bool read_file(Cursor *cursor, HeightFieldDesc *desc)
 	return true;
 }
 
-/* function columns, rows { ... }: sampled over the unit square of x and y. */
-static bool read_function(Cursor *cursor, HeightFieldDesc *desc)
+/* function columns, rows { ... }: the function, then the numbers. Sampled over the unit square of x and y. */
+static bool read_function(Cursor *outer, const Node *block, HeightFieldDesc *desc)
 {
-	Location where = cursor_where(cursor);
-	if (!cursor_take_int(cursor, &desc->width) || !cursor_take_int(cursor, &desc->depth))
-		return false;
-	const Function *function = cursor_take_item(cursor, VALUE_FUNCTION, "a function");
-	if (!function)
+	Cursor inside = cursor_begin(outer->context, block), *cursor = &inside;
+	Location where = block->where;
+	const Function *function = cursor_take_item(cursor, VALUE_FUNCTION, "a function of a float");
+	if (!function || !cursor_take_int(cursor, &desc->width) || !cursor_take_int(cursor, &desc->depth))
 		return false;
 	bool sound = desc->width >= 2 && desc->depth >= 2 && desc->width <= RESOLUTION_MAX && desc->depth <= RESOLUTION_MAX;
 	if (!sound || function_arity(function) > 3) {
@@ -113,7 +112,8 @@ bool build_height_field(Cursor *cursor, Object *object)
 	HeightFieldDesc desc = {0};
 	const char *error = NULL;
 	skip_type(cursor);
-	bool good = cursor_accept_word(cursor, W_function) ? read_function(cursor, &desc) : read_file(cursor, &desc);
+	const Node *function = cursor_accept_block(cursor, W_function);
+	bool good = function ? read_function(cursor, function, &desc) : read_file(cursor, &desc);
 	for (;;) {
 		if (cursor_accept_word(cursor, W_smooth))
 			desc.smooth = cursor_optional_bool(cursor);
