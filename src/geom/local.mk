@@ -13,3 +13,4 @@ libgeom_a_SOURCES += src/geom/poly.c src/geom/poly.h src/geom/superellipsoid.c s
 libgeom_a_SOURCES += src/geom/blob.c src/geom/blob.h src/geom/container.c src/geom/container.h
 libgeom_a_SOURCES += src/geom/isosurface.c src/geom/isosurface.h
 libgeom_a_SOURCES += src/geom/sphere_sweep.c src/geom/sphere_sweep.h src/geom/ovus.c src/geom/ovus.h
+libgeom_a_SOURCES += src/geom/julia_fractal.c src/geom/julia_fractal.h src/geom/parametric.c src/geom/parametric.h

@@ -17,3 +17,6 @@ tests_unit_test_implicit_LDADD = libgeom.a libbase.a
 check_PROGRAMS += tests/unit/test_sphere_sweep
 tests_unit_test_sphere_sweep_SOURCES = tests/unit/test_sphere_sweep.c tests/unit/shape_check.h tests/unit/check.h
 tests_unit_test_sphere_sweep_LDADD = libgeom.a libbase.a
+check_PROGRAMS += tests/unit/test_surfaces
+tests_unit_test_surfaces_SOURCES = tests/unit/test_surfaces.c tests/unit/shape_check.h tests/unit/check.h
+tests_unit_test_surfaces_LDADD = libgeom.a libbase.a
