@@ -150,7 +150,7 @@ Options options_default(Arena *arena)
 		.antialias_gamma = 2.5,
 		.initial_frame = -1, .final_frame = -1, .final_clock = 1, .subset_start = -1, .subset_end = -1,
 		.frame_step = 1, .show_debug = true, .show_render = true, .show_statistics = true,
-		.show_warnings = true, .warning_level = 10,
+		.show_warnings = true, .warning_level = 10, .ignored = "",
 	};
 	return options;
 }
@@ -180,6 +180,14 @@ static double clamped(const Key *key, double value)
 	return value < key->lowest ? key->lowest : value > key->highest ? key->highest : value;
 }
 
+/* Turning such a thing off is no news to anybody, so only what is turned on gets here. */
+static void ignore(Options *options, const char *name)
+{
+	if (!strstr(options->ignored, name))
+		options->ignored = arena_printf(options->arena, "%s%s%s", options->ignored, *options->ignored ? ", " : "",
+		                                name);
+}
+
 static bool set_field(Options *options, const Key *key, const char *value)
 {
 	char *field = (char *)options + key->field;
@@ -195,9 +203,12 @@ static bool set_field(Options *options, const Key *key, const char *value)
 	case KEY_TEXT: *(const char **)field = arena_strdup(options->arena, value); return *value != 0;
 	case KEY_CALL: return key->call(options, value);
 	case KEY_NOTHING_FLAG:
+		if (options_truth(value))
+			ignore(options, key->name);
+		return true;
 	case KEY_NOTHING_WHOLE:
 	case KEY_NOTHING_REAL:
-	case KEY_NOTHING_TEXT: options->ignored_said = true; return true;
+	case KEY_NOTHING_TEXT: ignore(options, key->name); return true;
 	}
 	return false;
 }
@@ -270,7 +281,7 @@ static bool set_version(Options *options, const char *value)
 static bool set_block_size(Options *options, const char *value)
 {
 	double size;
-	options->ignored_said = true;
+	ignore(options, "Render_Block_Size");
 	return read_number(value, &size) && size >= 4;
 }
 
@@ -318,7 +329,8 @@ static bool set_dither_method(Options *options, const char *value)
 	static const char *const methods[] = {"B2", "B3", "B4", "D1", "D2", "FS"};
 	for (size_t i = 0; i < sizeof methods / sizeof *methods; i++)
 		if (strcasecmp(value, methods[i]) == 0) {
-			options->ignored_said |= i + 1 < sizeof methods / sizeof *methods;
+			if (i + 1 < sizeof methods / sizeof *methods)
+				ignore(options, "Dither_Method");
 			return true;
 		}
 	return false;

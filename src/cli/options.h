@@ -72,7 +72,7 @@ typedef struct Options {
 	double update;              /* --update: seconds between rewritings of the output file; 0: never */
 	bool allow_shell, allow_write;
 	bool help, show_version;    /* print and end */
-	bool ignored_said;          /* something was accepted that means nothing here */
+	const char *ignored;        /* names of keys that were taken and mean nothing here; "" none */
 	int ini_depth;              /* INI files being read within each other */
 } Options;
 

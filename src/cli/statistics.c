@@ -1,0 +1,99 @@
+#include "cli/statistics.h"
+
+#include <inttypes.h>
+
+#include "base/clock.h"
+#include "base/parallel.h"
+#include "config.h"
+#include "image/file.h"
+
+void statistics_add(FrameStatistics *sum, const FrameStatistics *frame)
+{
+	const RenderStatistics *r = &frame->render;
+	sum->frames += frame->frames;
+	sum->parse_seconds += frame->parse_seconds;
+	sum->build_seconds += frame->build_seconds;
+	sum->trace_seconds += frame->trace_seconds;
+	sum->write_seconds += frame->write_seconds;
+	sum->cpu_seconds += frame->cpu_seconds;
+	sum->shapes = frame->shapes;
+	sum->lights = frame->lights;
+	sum->render.pixels += r->pixels;
+	sum->render.samples += r->samples;
+	sum->render.eye_rays += r->eye_rays;
+	sum->render.shadow_rays += r->shadow_rays;
+	sum->render.reflected_rays += r->reflected_rays;
+	sum->render.refracted_rays += r->refracted_rays;
+	sum->render.transmitted_rays += r->transmitted_rays;
+	sum->render.bailouts += r->bailouts;
+	if (r->deepest > sum->render.deepest)
+		sum->render.deepest = r->deepest;
+}
+
+static uint64_t all_rays(const RenderStatistics *r)
+{
+	return r->eye_rays + r->shadow_rays + r->reflected_rays + r->refracted_rays + r->transmitted_rays;
+}
+
+void statistics_print(FILE *out, const FrameStatistics *s)
+{
+	const RenderStatistics *r = &s->render;
+	const struct { const char *name; uint64_t value; } rows[] = {
+		{"pixels", r->pixels}, {"samples", r->samples}, {"eye rays", r->eye_rays},
+		{"shadow rays", r->shadow_rays}, {"reflected rays", r->reflected_rays},
+		{"refracted rays", r->refracted_rays}, {"transmitted rays", r->transmitted_rays},
+	};
+	if (s->frames > 1)
+		fprintf(out, "%-18s%14d\n", "frames", s->frames);
+	for (size_t i = 0; i < sizeof rows / sizeof *rows; i++)
+		fprintf(out, "%-18s%14" PRIu64 "\n", rows[i].name, rows[i].value);
+	fprintf(out, "%-18s%14.3f s\n", "parse", s->parse_seconds);
+	fprintf(out, "%-18s%14.3f s\n", "build", s->build_seconds);
+	fprintf(out, "%-18s%14.3f s\n", "trace", s->trace_seconds);
+	fprintf(out, "%-18s%14.1f MB\n", "peak memory", (double)clock_peak_memory() / 1e6);
+}
+
+static void write_json_text(FILE *out, const char *text)
+{
+	putc('"', out);
+	for (; *text; text++) {
+		unsigned char c = (unsigned char)*text;
+		if (c == '"' || c == '\\')
+			fprintf(out, "\\%c", c);
+		else if (c < 32)
+			fprintf(out, "\\u%04x", c);
+		else
+			putc(c, out);
+	}
+	putc('"', out);
+}
+
+static void write_rays(FILE *out, const RenderStatistics *r)
+{
+	fprintf(out,
+	        "  \"rays\": {\"all\": %" PRIu64 ", \"eye\": %" PRIu64 ", \"shadow\": %" PRIu64 ", \"reflected\": %" PRIu64
+	        ", \"refracted\": %" PRIu64 ", \"transmitted\": %" PRIu64 "},\n",
+	        all_rays(r), r->eye_rays, r->shadow_rays, r->reflected_rays, r->refracted_rays, r->transmitted_rays);
+}
+
+bool statistics_write_json(const FrameStatistics *s, const char *scene, const char *status, const char *path,
+                           Diag *diag)
+{
+	OutputFile file;
+	if (!output_file_open(&file, path, diag))
+		return false;
+	fputs("{\n  \"program\": \"" PACKAGE_STRING "\",\n  \"scene\": ", file.stream);
+	write_json_text(file.stream, scene);
+	fprintf(file.stream, ",\n  \"status\": \"%s\",\n  \"frames\": %d,\n  \"threads\": %d,\n", status, s->frames,
+	        parallel_threads());
+	fprintf(file.stream, "  \"seconds\": {\"parse\": %.6f, \"build\": %.6f, \"trace\": %.6f, \"write\": %.6f, "
+	        "\"processor\": %.6f},\n", s->parse_seconds, s->build_seconds, s->trace_seconds, s->write_seconds,
+	        s->cpu_seconds);
+	fprintf(file.stream, "  \"pixels\": %" PRIu64 ",\n  \"samples\": %" PRIu64 ",\n", s->render.pixels,
+	        s->render.samples);
+	write_rays(file.stream, &s->render);
+	fprintf(file.stream, "  \"deepest\": %d,\n  \"shapes\": %ld,\n  \"lights\": %ld,\n", s->render.deepest, s->shapes,
+	        s->lights);
+	fprintf(file.stream, "  \"peak_memory\": %zu\n}\n", clock_peak_memory());
+	return output_file_commit(&file, diag);
+}
