@@ -15,3 +15,4 @@ liblang_a_SOURCES += lang/build.c lang/build_atmosphere.c lang/build_atmosphere.
 	lang/build_photons.c lang/build_photons.h lang/build_settings.c lang/build_settings.h lang/build_texture.h \
 	lang/build_transform.c lang/build_transform.h
 liblang_a_SOURCES += lang/symbol.c lang/symbol.h lang/word.c lang/word.h lang/words.def lang/node.c lang/node_print.h
+liblang_a_SOURCES += lang/function.c lang/function.h lang/function_compile.c lang/function_compile.h
