@@ -5,6 +5,7 @@
 #include "lang/build_texture.h"
 #include "lang/build_transform.h"
 #include "lang/cursor.h"
+#include "surface/pattern_data.h"
 
 void build_background(Context *context, const Node *block)
 {
@@ -92,7 +93,12 @@ const Fog *build_fog(Context *context, const Node *block)
 static const Pigment *gradient_pigment(Context *context, const ColorMap *map)
 {
 	Pigment *pigment = ARENA_NEW(context->builder->arena, Pigment);
+	GradientData *along_x = ARENA_NEW(context->builder->arena, GradientData);
+	along_x->direction = vec3(1, 0, 0);
 	pigment->kind = PIGMENT_COLOR_MAP;
+	pigment->pattern.class = pattern_find("gradient");
+	pigment->pattern.data = along_x;
+	pigment->pattern.frequency = 1;
 	pigment->colors = map->entries;
 	pigment->color_count = map->count;
 	return pigment;

@@ -3,8 +3,6 @@
 #include <limits.h>
 #include <math.h>
 
-#include "lang/array.h"
-
 Cursor cursor_begin(Context *context, const Node *block)
 {
 	return (Cursor){.context = context, .at = block->children, .block = block};
@@ -215,35 +213,17 @@ bool cursor_take_rgb(Cursor *cursor, Rgb *out)
 	return true;
 }
 
-/* Appends a value's numbers to out; false when it has none. */
-static bool append_floats(Value value, double *out, int *filled, int count)
-{
-	if (value.kind == VALUE_ARRAY) {
-		for (long i = 0; i < value.array->length; i++)
-			if (value.array->elements[i].kind != VALUE_FLOAT)
-				return false;
-			else if (*filled < count)
-				out[(*filled)++] = value.array->elements[i].number;
-		return true;
-	}
-	if (!value_is_numeric(value))
-		return false;
-	if (value.kind == VALUE_FLOAT)
-		out[(*filled)++] = value.number;
-	for (int i = 0; value.kind != VALUE_FLOAT && i < value.size && *filled < count; i++)
-		out[(*filled)++] = value.v[i];
-	return true;
-}
-
 bool cursor_take_floats(Cursor *cursor, double *out, int count)
 {
 	int filled = 0;
 	while (filled < count) {
-		const Node *node = cursor->at;
-		bool value = node && (node->kind == NODE_VALUE || node->kind == NODE_ITEM);
-		if (!value || !append_floats(node->value, out, &filled, count))
+		if (!cursor_peek_numeric(cursor))
 			return cursor_expected(cursor, arena_printf(cursor->context->items, "%d floats", count));
-		cursor_next(cursor);
+		Value value = cursor_next(cursor)->value;
+		if (value.kind == VALUE_FLOAT)
+			out[filled++] = value.number;
+		for (int i = 0; value.kind != VALUE_FLOAT && i < value.size && filled < count; i++)
+			out[filled++] = value.v[i];
 	}
 	return true;
 }

@@ -3,7 +3,6 @@
 #include <string.h>
 #include <time.h>
 
-#include "lang/array.h"
 #include "lang/expression_tree.h"
 #include "lang/function.h"
 
@@ -132,23 +131,10 @@ Value expression_conditional(Context *context, Value test, Value yes, Value no, 
 	return expression_is_true(value_to_float(test)) ? yes : no;
 }
 
-/* More than five: matrix <...> and the coefficients of polynomials, an array of floats to those who take them. */
-static Value long_vector(Context *context, const Value *parts, int count, Location where)
-{
-	double size = count;
-	Array *array = array_create(context, &size, 1, where);
-	for (int i = 0; array && i < count; i++)
-		if (!array_set(context, array, &array->elements[i], parts[i], where))
-			return value_vec3(vec3_all(0));
-	return (Value){.kind = VALUE_ARRAY, .array = array};
-}
-
 Value expression_vector(Context *context, const Value *parts, int count, Location where)
 {
 	Value result = {.kind = VALUE_VECTOR, .size = count};
-	if (count > 5)
-		return long_vector(context, parts, count, where);
-	if (count < 2) {
+	if (count < 2 || count > 5) {
 		diag_error(context->diag, where, "a vector has 2 to 5 components, not %d", count);
 		return value_vec3(vec3_all(0));
 	}
