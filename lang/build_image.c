@@ -101,7 +101,7 @@ static Image *read_image(Context *context, const char *name, Location where)
 static bool is_image_type(Word word)
 {
 	switch (word) {
-	case W_exr: case W_gif: case W_iff: case W_jpeg: case W_pgm: case W_png: case W_pot: case W_ppm: case W_sys:
+	case W_exr: case W_gif: case W_hdr: case W_iff: case W_jpeg: case W_pgm: case W_png: case W_pot: case W_ppm: case W_sys:
 	case W_tga: case W_tiff: case W_bmp:
 		return true;
 	default:
@@ -216,18 +216,27 @@ static Image *take_file(Cursor *inside, Word kind)
 	return image;
 }
 
+/* The raster; false after a reported error. */
+static bool take_raster(Cursor *inside, Word kind, ImageMap *map)
+{
+	const Node *function = cursor_accept_block(inside, W_function);
+	if (function)
+		return build_function_image(inside->context, function, map);
+	Image *image = take_file(inside, kind);
+	if (!image)
+		return false;
+	fill_raster(inside->context->builder->arena, map, image);
+	image_destroy(image);
+	return true;
+}
+
 const ImageMap *build_image(Cursor *inside, Word kind, double *bump_size)
 {
-	Arena *arena = inside->context->builder->arena;
-	ImageMap *map = ARENA_NEW(arena, ImageMap);
+	ImageMap *map = ARENA_NEW(inside->context->builder->arena, ImageMap);
 	/* Old scenes put modifiers before the file. */
 	while (take_image_modifier(inside, map, bump_size))
 		;
-	Image *image = take_file(inside, kind);
-	if (image)
-		fill_raster(arena, map, image);
-	bool read = image != NULL;
-	image_destroy(image);
+	bool read = take_raster(inside, kind, map);
 	while (take_image_modifier(inside, map, bump_size))
 		;
 	return read ? map : NULL;

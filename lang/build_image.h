@@ -14,6 +14,8 @@
  * the scene's working space; the others are data and stay as they are, unless the block gives a gamma. NULL after a reported
  * error. */
 const ImageMap *build_image(Cursor *inside, Word kind, double *bump_size);
+/* function WIDTH, HEIGHT { ... } in place of a file: the block fills the map's raster. False after a reported error. */
+bool build_function_image(Context *context, const Node *block, ImageMap *map);
 /* The string of density_file df3 "name". NULL after a reported error. */
 const DensityData *build_density_file(Cursor *cursor);
 

@@ -7,7 +7,7 @@ liblang_a_SOURCES += lang/builtin.c lang/builtin.h lang/builtin_float.c lang/bui
 liblang_a_SOURCES += lang/build_texture.c lang/build_pigment.c lang/build_pigment_default.h lang/build_pigment_default.c \
 	lang/build_normal.c lang/build_finish.c lang/build_interior.c \
 	lang/build_map.h lang/build_map.c lang/build_pattern.h lang/build_pattern.c lang/build_pattern_modifier.c \
-	lang/build_warp.c lang/build_image.h lang/build_image.c
+	lang/build_warp.c lang/build_image.h lang/build_image.c lang/build_image_function.c
 liblang_a_SOURCES += lang/build.c lang/build_atmosphere.c lang/build_atmosphere.h lang/build_camera.c lang/build_camera.h \
 	lang/build_light.c lang/build_media.c lang/build_media.h lang/build_object.c lang/build_object.h \
 	lang/build_object_csg.c lang/build_object_curve.c lang/build_object_field.c lang/build_object_height_field.c \
