@@ -135,8 +135,7 @@ bool declare_end(Reader *reader, const Frame *frame)
 	return !reader->has_ahead;
 }
 
-/* After a mistake in a value: behind the next semicolon, or before a directive or a closing brace. */
-static void skip_declaration(Reader *reader)
+void declare_skip(Reader *reader)
 {
 	const Token *token;
 	int depth = 0;
@@ -158,8 +157,9 @@ static void declare(Reader *reader, const Target *target, Deprecation deprecatio
 	Location where = source_here(reader);
 	bool good = frame_parse(reader, S_VALUE, FRAME_ENDS_AT_DECLARE, &frame) && frame.value.kind != VALUE_NONE;
 	if (!good && frame.value.kind == VALUE_NONE)
-		skip_declaration(reader);
-	else if (!declare_end(reader, &frame) && value_is_numeric(frame.value) && reader->context.version >= 3.5)
+		declare_skip(reader);
+	else if (!declare_end(reader, &frame) && value_is_numeric(frame.value) && reader->context.version >= 3.5 &&
+	         !reader->stopped)
 		diag_warning(reader->context.diag, where, "no ';' after the value of '%s'", target->name->text);
 	Symbol *symbol = assign(reader, target, good ? frame.value : value_none());
 	if (symbol) {
@@ -178,7 +178,7 @@ void declare_directive(Reader *reader, bool local, Location where)
 	if (read_target(reader, &target) && source_take_sign(reader, '=', target.name->text))
 		declare(reader, &target, deprecation);
 	else
-		skip_declaration(reader);
+		declare_skip(reader);
 	/* A function's body that is open holds trees in this arena. */
 	if (reader->function_depth == 0)
 		arena_rewind(reader->context.items, mark);

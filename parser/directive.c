@@ -255,6 +255,7 @@ static void run_unofficial(Reader *reader, Location where)
 	const Token *name = source_peek(reader, 0);
 	if (!name || name->kind != TOKEN_NAME || strcmp(name->name->text, "cognac") != 0) {
 		diag_error(reader->context.diag, where, "this scene is written for another unofficial version of POV-Ray");
+		reader->stopped = true;
 		return;
 	}
 	source_top(reader)->position++;
@@ -284,10 +285,11 @@ static void run_version(Reader *reader)
 
 static void run_unknown(Reader *reader, const Token *token, Location where)
 {
-	if (token->code == W_NONE)
-		diag_error(reader->context.diag, where, "unknown directive");
-	else
-		diag_error(reader->context.diag, where, "'%s' is no directive", word_text((Word)token->code));
+	const char *text = source_top(reader)->file->text + token->offset + 1;
+	static const char letters[] = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ_0123456789";
+	text += strspn(text, " \t\r\n");
+	diag_error(reader->context.diag, where, "unknown directive '#%.*s'", (int)strspn(text, letters), text);
+	declare_skip(reader);
 }
 
 void directive_run(Reader *reader, const Token *token, Location where)

@@ -112,7 +112,14 @@ static inline Value opaque_black(void) { return (Value){.kind = VALUE_COLOR, .si
 start:
 	  S_ITEM block                          { reader->frame->nodes = $2; FINISH(); }
 	| S_ITEM texture                        { reader->frame->nodes = $2; FINISH(); }
-	| S_ITEM                                { reader->frame->at_end = true; FINISH(); }
+	| S_ITEM                                {
+		if (yychar != READER_YYEOF) {
+			frame_syntax_error(reader, yylloc, NULL, NULL);
+			YYABORT;
+		}
+		reader->frame->at_end = true;
+		FINISH();
+	  }
 	| S_VALUE element_value                 { reader->frame->value = $2; FINISH(); }
 	| S_ARGUMENT argument ','               { reader->frame->value = $2; FINISH(); }
 	| S_ARGUMENT argument ')'               { reader->frame->value = $2; reader->frame->closed = true; FINISH(); }

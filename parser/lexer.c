@@ -96,15 +96,11 @@ static int poison(Reader *reader, Semantic *value)
 void lexer_skip_group(Reader *reader, int open, int close)
 {
 	const Token *token;
-	int depth = 0;
-	while ((token = source_peek(reader, 0))) {
+	int depth = source_accept_sign(reader, open);
+	while (depth > 0 && (token = source_peek(reader, 0))) {
 		int code = token->kind == TOKEN_SIGN ? token->code : 0;
 		depth += (code == open) - (code == close);
-		if (depth == 0 && code != close)
-			return;
 		source_top(reader)->position++;
-		if (depth == 0)
-			return;
 	}
 }
 
@@ -114,6 +110,7 @@ static int undeclared(Reader *reader, const Name *name, Semantic *value, Locatio
 		diag_error(reader->context.diag, where, "'%s' is not declared", name->text);
 	lexer_skip_group(reader, '[', ']');
 	lexer_skip_group(reader, '(', ')');
+	lexer_skip_group(reader, '{', '}');
 	return poison(reader, value);
 }
 

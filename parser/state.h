@@ -184,6 +184,8 @@ void directive_run(Reader *reader, const Token *token, Location where);
 /* declare.c */
 void declare_directive(Reader *reader, bool local, Location where);
 void declare_undef(Reader *reader);
+/* After a mistake: behind the next semicolon, or before a directive or a closing brace. */
+void declare_skip(Reader *reader);
 /* Gives name the value where it is declared, or NAME [i] ... its element: what #read fills in. False after a report. */
 bool declare_assign(Reader *reader, Value value);
 /* Runs what is left of the macros that gave the frame's value, and takes the semicolon behind it; false when there is none. */

@@ -1,0 +1,3 @@
+union {
+	sphere { 0, 1 }
+	box { 0, 1 

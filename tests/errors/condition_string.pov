@@ -1,0 +1,1 @@
+#if ("yes") #debug "yes" #end

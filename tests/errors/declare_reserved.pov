@@ -1,0 +1,3 @@
+#declare sphere = 1;
+#local pi = 3;
+#declare image_width = 10;

@@ -1,0 +1,3 @@
+#foo
+#declere A = 1;
+#sphere

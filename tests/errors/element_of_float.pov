@@ -1,0 +1,2 @@
+#declare A = 1;
+#declare A[0] = 2;

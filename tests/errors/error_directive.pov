@@ -1,0 +1,3 @@
+#declare A = 1;
+#error concat("stopped at ", str(A, 0, 0))
+sphere { undeclared, 1 }

@@ -1,0 +1,1 @@
+#fopen F "no such file" read

@@ -1,0 +1,1 @@
+#fopen F "x.txt" readwrite

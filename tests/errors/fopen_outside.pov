@@ -1,0 +1,2 @@
+#fopen F "/no_such_folder/x.txt" write
+#fopen G "../x.txt" write

@@ -1,0 +1,3 @@
+#for (I, 1, 3)
+	#declare I = "a";
+#end

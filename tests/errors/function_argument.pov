@@ -1,0 +1,2 @@
+#declare F = function(a, b) { a + c }
+#declare G = function { x + ) }

@@ -1,0 +1,2 @@
+#declare F = function(a, b) { a + b }
+#declare B = F(1);

@@ -1,0 +1,3 @@
+// café
+#declare A = "café"; #debug A
+sphere { café, 1 }

@@ -1,0 +1,2 @@
+#macro A(X)
+sphere { 0, X }

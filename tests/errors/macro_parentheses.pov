@@ -1,0 +1,2 @@
+#macro A() 1 #end
+sphere { 0, A }

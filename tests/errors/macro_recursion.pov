@@ -1,0 +1,4 @@
+#macro A(N)
+	A(N + 1)
+#end
+A(0)

@@ -1,0 +1,3 @@
+#declare A = 1 + ;
+#declare B = * 2;
+#declare C = (1, 2);

@@ -1,0 +1,2 @@
+#declare A = (1 + 2;
+#declare B = sin(1;

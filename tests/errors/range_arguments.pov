@@ -1,0 +1,6 @@
+#switch (1)
+	#range (1)
+#end
+#switch (1)
+	#case ("a")
+#end

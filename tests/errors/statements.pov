@@ -1,0 +1,5 @@
+5
+"text"
+sphere
+<1,2,3>
+box { 0, Undeclared }

@@ -1,0 +1,3 @@
+sphere { 0, 1 }
+#debug "never ends
+box { 0, 1 }

@@ -1,0 +1,1 @@
+#declare A = sum(i, 1, 3, i);

@@ -1,0 +1,3 @@
+#switch ("a")
+#case (1) #end
+#debug "on"

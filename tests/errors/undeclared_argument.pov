@@ -1,0 +1,2 @@
+#macro A(P) #declare P = 1; #end
+A(New)

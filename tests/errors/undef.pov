@@ -1,0 +1,3 @@
+#declare A = 1;
+#undef A
+sphere { 0, A }

@@ -1,0 +1,2 @@
+#declare A = val("abc") + asc("");
+#declare B = substr("abc", 5, 2);

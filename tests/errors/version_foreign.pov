@@ -1,0 +1,1 @@
+#version unofficial megapov 1.21;
