@@ -8,3 +8,5 @@ include tests/unit/base.mk
 include tests/unit/lang.mk
 include tests/unit/parser.mk
 include tests/unit/cli.mk
+include tests/unit/photon.mk
+include tests/unit/density.mk

@@ -1,0 +1,3 @@
+noinst_LIBRARIES += libphoton.a
+libphoton_a_SOURCES = src/photon/photon.h src/photon/map.h src/photon/trace.h src/photon/tree.c src/photon/tree.h \
+	src/photon/tree_build.c src/photon/tree_build.h

@@ -1,0 +1,1 @@
+# Unit tests of src/density: one program a module.
