@@ -10,3 +10,18 @@ include tests/unit/parser.mk
 include tests/unit/cli.mk
 include tests/unit/photon.mk
 include tests/unit/density.mk
+# Tests that are scripts. They find the programs and the sources in their environment.
+TEST_EXTENSIONS = .sh
+SH_LOG_COMPILER = $(SHELL)
+AM_TESTS_ENVIRONMENT = COGNAC='$(abs_builddir)/cognac'; COMPARE='$(abs_builddir)/cognac-compare'; \
+	SOURCES='$(abs_srcdir)'; export COGNAC COMPARE SOURCES;
+check_SCRIPTS += tests/layering.sh
+EXTRA_DIST += tests/layering.sh
+
+# POV-Ray's samples: a few of them in `make check`, all of them in `make check-povray`.
+check_SCRIPTS += tests/povray/subset.sh
+EXTRA_DIST += tests/povray/samples.py tests/povray/subset.sh tests/povray/subset.txt
+SAMPLES_FLAGS =
+check-povray: cognac$(EXEEXT) cognac-compare$(EXEEXT)
+	python3 $(srcdir)/tests/povray/samples.py --cognac ./cognac --compare ./cognac-compare $(SAMPLES_FLAGS)
+.PHONY: check-povray

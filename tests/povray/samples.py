@@ -30,7 +30,8 @@ SIZE = ["+W160", "+H120", "-A"]
 MATCH = 0.95
 # Scenes whose own .ini stands for them: without a frame number they stop with an error.
 FRAMES = "portfolio"
-SCENE_ERROR = re.compile(r"^.*?:\d+:\d+: error: (.*)$", re.M)
+# An error, the line it is about and the caret under it.
+SCENE_ERROR = re.compile(r"^.*?:\d+:\d+: error: (.*)$(?:\n *\d+ \| (.*)\n *\| ( *)\^)?", re.M)
 ANY_ERROR = re.compile(r"^(?:.*?: )?error: (.*)$", re.M)
 
 
@@ -149,10 +150,17 @@ class Yardstick:
 
     @staticmethod
     def errors(result):
-        found = SCENE_ERROR.findall(result["messages"]) or ANY_ERROR.findall(result["messages"])
+        found = [words_of(*error) for error in SCENE_ERROR.findall(result["messages"])]
+        found = found or ANY_ERROR.findall(result["messages"])
         if not found and result["status"] != 0:
             found = ["no end in time" if result["status"] == "timeout" else f"ended with status {result['status']}"]
         return list(dict.fromkeys(found))
+
+
+def words_of(message, line, indent):
+    """A message with the word of the scene that the caret stands under."""
+    word = re.match(r"[#\w]+|.?", line.expandtabs(8)[len(indent.expandtabs(8)):]).group()
+    return f"{message} [{word}]" if word and word not in message else message
 
 
 def geometric_mean(values):
@@ -240,9 +248,9 @@ def measure(options, yardstick):
 
 def main():
     options = arguments()
-    for path in (options.keep,):
-        if path:
-            path.mkdir(parents=True, exist_ok=True)
+    options.cognac, options.compare = os.path.abspath(options.cognac), os.path.abspath(options.compare)
+    if options.keep:
+        options.keep.mkdir(parents=True, exist_ok=True)
     if not options.examples.is_dir() or not shutil.which(options.povray):
         print("POV-Ray or its samples are not here: nothing compared")
         return 77
