@@ -116,29 +116,47 @@ bool build_sphere_sweep(Cursor *cursor, Object *object)
 	return build_shape_set(cursor, object, &sphere_sweep_class, data, error);
 }
 
+/* text { internal n ... }: POV-Ray keeps these fonts in its program; they stand beside its includes as files as well. */
+static bool take_internal_font(Cursor *cursor, const char **font)
+{
+	static const char *const fonts[] = {"timrom", "cyrvetic", "crystal", "povlogo"};
+	int number;
+	if (!cursor_take_int(cursor, &number))
+		return false;
+	*font = fonts[number >= 1 && number <= 4 ? number - 1 : 0];
+	return true;
+}
+
+/* The font's file, whose name may lack its ending; NULL after a report. */
+static const char *find_font(Context *context, const char *font, Location where)
+{
+	const char *path = files_find(context, font);
+	if (!path)
+		path = files_find(context, arena_printf(context->items, "%s.ttf", font));
+	if (!path)
+		path = files_find(context, arena_printf(context->items, "%s.ttc", font));
+	if (!path)
+		diag_error(context->diag, where, "cannot find the font '%s'", font);
+	return path && files_may_read(context, path, where) ? path : NULL;
+}
+
 /* text { ttf "font" "letters" thickness, offset } */
 bool build_text(Cursor *cursor, Object *object)
 {
 	TextDesc desc = {0};
 	Vec3 offset = {0, 0, 0};
 	const char *error = NULL, *font = NULL;
-	double number;
-	if (cursor_accept_word(cursor, W_internal)) {
-		if (!cursor_take_float(cursor, &number))
-			return false;
-		return cursor_expected(cursor, "a font file: there are no internal fonts");
-	}
-	cursor_accept_word(cursor, W_ttf);
+	bool internal = cursor_accept_word(cursor, W_internal);
+	if (!internal)
+		cursor_accept_word(cursor, W_ttf);
 	Location where = cursor_where(cursor);
-	if (!cursor_take_string(cursor, &font) || !cursor_take_string(cursor, &desc.text) ||
-	    !cursor_take_float(cursor, &desc.thickness) || !cursor_take_vec3(cursor, &offset))
+	if (!(internal ? take_internal_font(cursor, &font) : cursor_take_string(cursor, &font)))
 		return false;
-	desc.font_path = files_find(cursor->context, font);
-	if (!desc.font_path) {
-		diag_error(cursor->context->diag, where, "cannot find the font '%s'", font);
+	if (!cursor_take_string(cursor, &desc.text) || !cursor_take_float(cursor, &desc.thickness) ||
+	    !cursor_take_vec3(cursor, &offset))
 		return false;
-	}
-	if (!files_may_read(cursor->context, desc.font_path, where))
+	desc.font_path = find_font(cursor->context, font, where);
+	if (!desc.font_path)
 		return false;
 	desc.offset = (Vec2){offset.x, offset.y};
 	return build_shape_set(cursor, object, &text_class, text_create(scene_arena(cursor), &desc, &error), error);

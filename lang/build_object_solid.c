@@ -23,12 +23,25 @@ bool build_sphere(Cursor *cursor, Object *object)
 	return build_shape_set(cursor, object, &sphere_class, data, error);
 }
 
+/* Sheets without thickness are boxes too: thick enough here for both sides to be told apart. */
+static void thicken(double *a, double *b, double thickness)
+{
+	if (*a == *b) {
+		*a -= thickness;
+		*b += thickness;
+	}
+}
+
 bool build_box(Cursor *cursor, Object *object)
 {
 	Vec3 corner, opposite;
 	const char *error = NULL;
 	if (!cursor_take_vec3(cursor, &corner) || !cursor_take_vec3(cursor, &opposite))
 		return false;
+	double thickness = 1e-6 * (1 + vec3_length(corner));
+	thicken(&corner.x, &opposite.x, thickness);
+	thicken(&corner.y, &opposite.y, thickness);
+	thicken(&corner.z, &opposite.z, thickness);
 	const void *data = box_create(scene_arena(cursor), corner, opposite, &error);
 	return build_shape_set(cursor, object, &box_class, data, error);
 }
