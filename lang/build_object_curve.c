@@ -119,11 +119,11 @@ bool build_sphere_sweep(Cursor *cursor, Object *object)
 /* text { internal n ... }: POV-Ray keeps these fonts in its program; they stand beside its includes as files as well. */
 static bool take_internal_font(Cursor *cursor, const char **font)
 {
-	static const char *const fonts[] = {"timrom", "cyrvetic", "crystal", "povlogo"};
+	static const char *const fonts[] = {"povlogo", "timrom", "cyrvetic", "crystal"};
 	int number;
 	if (!cursor_take_int(cursor, &number))
 		return false;
-	*font = fonts[number >= 1 && number <= 4 ? number - 1 : 0];
+	*font = fonts[number >= 0 && number < 4 ? number : 0];
 	return true;
 }
 
