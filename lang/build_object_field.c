@@ -182,7 +182,6 @@ static bool read_isosurface_item(Cursor *cursor, IsosurfaceDesc *desc, bool *goo
 bool build_isosurface(Cursor *cursor, Object *object)
 {
 	IsosurfaceDesc desc = isosurface_default();
-	const char *error = NULL;
 	bool good = true;
 	desc.value = isosurface_value;
 	desc.function = take_function(cursor);
@@ -190,8 +189,8 @@ bool build_isosurface(Cursor *cursor, Object *object)
 		;
 	if (!good || !desc.function)
 		return false;
-	const void *data = isosurface_create(scene_arena(cursor), &desc, &error);
-	return build_shape_set(cursor, object, &isosurface_class, data, error);
+	const void *data = isosurface_create(scene_arena(cursor), &desc);
+	return build_shape_set(cursor, object, &isosurface_class, data, NULL);
 }
 
 typedef struct ParametricFunctions {

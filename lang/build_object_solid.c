@@ -16,34 +16,19 @@ bool build_sphere(Cursor *cursor, Object *object)
 {
 	Vec3 center;
 	double radius;
-	const char *error = NULL;
 	if (!cursor_take_vec3(cursor, &center) || !cursor_take_float(cursor, &radius))
 		return false;
-	const void *data = sphere_create(scene_arena(cursor), center, radius, &error);
-	return build_shape_set(cursor, object, &sphere_class, data, error);
-}
-
-/* Sheets without thickness are boxes too: thick enough here for both sides to be told apart. */
-static void thicken(double *a, double *b, double thickness)
-{
-	if (*a == *b) {
-		*a -= thickness;
-		*b += thickness;
-	}
+	const void *data = sphere_create(scene_arena(cursor), center, radius);
+	return build_shape_set(cursor, object, &sphere_class, data, NULL);
 }
 
 bool build_box(Cursor *cursor, Object *object)
 {
 	Vec3 corner, opposite;
-	const char *error = NULL;
 	if (!cursor_take_vec3(cursor, &corner) || !cursor_take_vec3(cursor, &opposite))
 		return false;
-	double thickness = 1e-6 * (1 + vec3_length(corner));
-	thicken(&corner.x, &opposite.x, thickness);
-	thicken(&corner.y, &opposite.y, thickness);
-	thicken(&corner.z, &opposite.z, thickness);
-	const void *data = box_create(scene_arena(cursor), corner, opposite, &error);
-	return build_shape_set(cursor, object, &box_class, data, error);
+	const void *data = box_create(scene_arena(cursor), corner, opposite);
+	return build_shape_set(cursor, object, &box_class, data, NULL);
 }
 
 static bool finish_cone(Cursor *cursor, Object *object, ConeDesc *desc, const ShapeClass *class)
@@ -76,11 +61,10 @@ bool build_cone(Cursor *cursor, Object *object)
 bool build_torus(Cursor *cursor, Object *object)
 {
 	double major, minor;
-	const char *error = NULL;
 	if (!cursor_take_float(cursor, &major) || !cursor_take_float(cursor, &minor))
 		return false;
-	const void *data = torus_create(scene_arena(cursor), major, minor, &error);
-	return build_shape_set(cursor, object, &torus_class, data, error);
+	const void *data = torus_create(scene_arena(cursor), major, minor);
+	return build_shape_set(cursor, object, &torus_class, data, NULL);
 }
 
 bool build_plane(Cursor *cursor, Object *object)
@@ -97,23 +81,21 @@ bool build_plane(Cursor *cursor, Object *object)
 bool build_disc(Cursor *cursor, Object *object)
 {
 	DiscDesc desc = {0};
-	const char *error = NULL;
 	if (!cursor_take_vec3(cursor, &desc.center) || !cursor_take_vec3(cursor, &desc.normal) ||
 	    !cursor_take_float(cursor, &desc.radius))
 		return false;
 	desc.hole = cursor_optional_float(cursor, 0);
-	const void *data = disc_create(scene_arena(cursor), &desc, &error);
-	return build_shape_set(cursor, object, &disc_class, data, error);
+	const void *data = disc_create(scene_arena(cursor), &desc);
+	return build_shape_set(cursor, object, &disc_class, data, NULL);
 }
 
 bool build_superellipsoid(Cursor *cursor, Object *object)
 {
 	Vec2 exponents;
-	const char *error = NULL;
 	if (!cursor_take_vec2(cursor, &exponents))
 		return false;
-	const void *data = superellipsoid_create(scene_arena(cursor), exponents.u, exponents.v, &error);
-	return build_shape_set(cursor, object, &superellipsoid_class, data, error);
+	const void *data = superellipsoid_create(scene_arena(cursor), exponents.u, exponents.v);
+	return build_shape_set(cursor, object, &superellipsoid_class, data, NULL);
 }
 
 bool build_ovus(Cursor *cursor, Object *object)

@@ -6,6 +6,7 @@
  */
 #include "geom/blob.h"
 
+#include <float.h>
 #include <stdint.h>
 #include <stdlib.h>
 
@@ -43,11 +44,10 @@ static bool component_prepare(Component *out, const BlobComponent *given, const 
 {
 	*out = (Component){.given = *given};
 	out->given.radius = fabs(given->radius);
-	if (given->radius == 0) {
-		*error = "a blob component needs a radius";
-		return false;
-	}
-	out->inverse_radius2 = 1 / (given->radius * given->radius);
+	/* Without a radius there is no field; some finite number keeps it so. */
+	out->inverse_radius2 = given->radius != 0 ? 1 / (given->radius * given->radius) : DBL_MAX;
+	if (given->radius == 0)
+		out->given.strength = 0;
 	if (!given->cylinder)
 		return true;
 	Vec3 along = vec3_sub(given->end, given->center);

@@ -22,7 +22,7 @@ typedef struct BlobDesc {
 	double threshold; /* 1 when a scene says nothing */
 } BlobDesc;
 
-/* NULL with *error set when there is no component or one has no radius or no length. */
+/* NULL with *error set when there is no component or a cylinder has no length. */
 const void *blob_create(Arena *arena, const BlobDesc *desc, const char **error);
 extern const ShapeClass blob_class;
 

@@ -1,11 +1,7 @@
 #include "geom/box.h"
 
-const void *box_create(Arena *arena, Vec3 corner, Vec3 opposite, const char **error)
+const void *box_create(Arena *arena, Vec3 corner, Vec3 opposite)
 {
-	if (corner.x == opposite.x || corner.y == opposite.y || corner.z == opposite.z) {
-		*error = "a box needs a length along each axis";
-		return NULL;
-	}
 	Box3 *box = ARENA_NEW(arena, Box3);
 	*box = (Box3){vec3_min(corner, opposite), vec3_max(corner, opposite)};
 	return box;
@@ -26,7 +22,7 @@ static bool cross_slab(const double slab[2], double origin, double direction, in
 		t[1] = far;
 		faces[1] = 2 * axis + (up ? 1 : 0);
 	}
-	return t[0] < t[1];
+	return t[0] <= t[1];
 }
 
 bool box_cross(Box3 box, const Ray *ray, double t[2], int faces[2])

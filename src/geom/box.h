@@ -5,8 +5,8 @@
 #include "base/arena.h"
 #include "geom/shape.h"
 
-/* Any two opposite corners. NULL with *error set when a side has no length. */
-const void *box_create(Arena *arena, Vec3 corner, Vec3 opposite, const char **error);
+/* Any two opposite corners. A box without thickness is hit twice at the same place. */
+const void *box_create(Arena *arena, Vec3 corner, Vec3 opposite);
 extern const ShapeClass box_class;
 
 /* The part of the line that lies in the box, whatever the ray's own ends; faces get the numbers of the faces entered and left. False

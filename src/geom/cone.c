@@ -1,6 +1,6 @@
 /*
  * In the frame of the axis: z along it from the base, the rest across. The side is |across|^2 = (r0 + slope z)^2 for
- * 0 <= z <= height.
+ * 0 <= z <= height. Radii of different sign make a double cone.
  */
 #include "geom/cone.h"
 
@@ -22,16 +22,13 @@ const void *cone_create(Arena *arena, const ConeDesc *desc, const char **error)
 		*error = "base and cap are the same point";
 		return NULL;
 	}
-	if (desc->base_radius == 0 && desc->cap_radius == 0) {
-		*error = "both radii are zero";
-		return NULL;
-	}
 	Cone *cone = ARENA_NEW(arena, Cone);
 	cone->base = desc->base;
 	cone->axis = vec3_normalize(vec3_sub(desc->cap, desc->base));
 	cone->height = height;
-	cone->base_radius = fabs(desc->base_radius);
-	cone->cap_radius = fabs(desc->cap_radius);
+	double sign = desc->base_radius < 0 && desc->cap_radius < 0 ? -1 : 1;
+	cone->base_radius = sign * desc->base_radius;
+	cone->cap_radius = sign * desc->cap_radius;
 	cone->slope = (cone->cap_radius - cone->base_radius) / height;
 	cone->open = desc->open;
 	return cone;
@@ -42,7 +39,7 @@ static bool cone_bounds(const void *data, Box3 *box)
 	const Cone *cone = data;
 	Vec3 a = cone->axis, cap = vec3_mad(cone->base, cone->height, a);
 	Vec3 across = vec3(sqrt(fmax(0, 1 - a.x * a.x)), sqrt(fmax(0, 1 - a.y * a.y)), sqrt(fmax(0, 1 - a.z * a.z)));
-	Vec3 low = vec3_scale(across, cone->base_radius), high = vec3_scale(across, cone->cap_radius);
+	Vec3 low = vec3_scale(across, fabs(cone->base_radius)), high = vec3_scale(across, fabs(cone->cap_radius));
 	*box = (Box3){vec3_min(vec3_sub(cone->base, low), vec3_sub(cap, high)),
 	              vec3_max(vec3_add(cone->base, low), vec3_add(cap, high))};
 	return true;

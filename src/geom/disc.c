@@ -6,12 +6,8 @@ typedef struct Disc {
 	double radius;
 } Disc;
 
-const void *disc_create(Arena *arena, const DiscDesc *desc, const char **error)
+const void *disc_create(Arena *arena, const DiscDesc *desc)
 {
-	if (vec3_length2(desc->normal) == 0) {
-		*error = "a disc's normal has no direction";
-		return NULL;
-	}
 	Disc *disc = ARENA_NEW(arena, Disc);
 	disc->center = desc->center;
 	disc->normal = vec3_normalize(desc->normal);

@@ -10,8 +10,8 @@ typedef struct DiscDesc {
 	double radius, hole; /* hole 0: none */
 } DiscDesc;
 
-/* NULL with *error set for a zero normal. */
-const void *disc_create(Arena *arena, const DiscDesc *desc, const char **error);
+/* A disc whose normal is zero is never hit. */
+const void *disc_create(Arena *arena, const DiscDesc *desc);
 extern const ShapeClass disc_class;
 
 #endif

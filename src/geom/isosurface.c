@@ -31,15 +31,16 @@ static double effective_gradient(const IsosurfaceDesc *desc)
 	return desc->evaluate ? p[0] * p[1] * p[1] : desc->max_gradient;
 }
 
-const void *isosurface_create(Arena *arena, const IsosurfaceDesc *desc, const char **error)
+const void *isosurface_create(Arena *arena, const IsosurfaceDesc *desc)
 {
 	Isosurface *isosurface = ARENA_NEW(arena, Isosurface);
 	isosurface->desc = *desc;
 	isosurface->gradient = effective_gradient(desc);
-	if (!(desc->accuracy > 0) || !(isosurface->gradient > 0)) {
-		*error = "accuracy and max_gradient must be positive";
-		return NULL;
-	}
+	IsosurfaceDesc usual = isosurface_default();
+	if (!(desc->accuracy > 0))
+		isosurface->desc.accuracy = usual.accuracy;
+	if (!(isosurface->gradient > 0))
+		isosurface->gradient = usual.max_gradient;
 	return isosurface;
 }
 

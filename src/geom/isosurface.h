@@ -25,8 +25,8 @@ typedef struct IsosurfaceDesc {
 } IsosurfaceDesc;
 
 IsosurfaceDesc isosurface_default(void);
-/* NULL with *error set for an accuracy or gradient that is not positive. */
-const void *isosurface_create(Arena *arena, const IsosurfaceDesc *desc, const char **error);
+/* An accuracy or gradient that is not positive counts as the default. */
+const void *isosurface_create(Arena *arena, const IsosurfaceDesc *desc);
 extern const ShapeClass isosurface_class;
 
 #endif

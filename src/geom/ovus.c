@@ -19,8 +19,8 @@ enum { PART_BOTTOM, PART_TOP, PART_ARC };
 
 const void *ovus_create(Arena *arena, double bottom_radius, double top_radius, const char **error)
 {
-	if (!(bottom_radius > 0 && top_radius > 0)) {
-		*error = "an ovus needs two positive radii";
+	if (!(bottom_radius >= 0 && top_radius >= 0)) {
+		*error = "the radii of an ovus must not be negative";
 		return NULL;
 	}
 	Ovus *ovus = ARENA_NEW(arena, Ovus);

@@ -5,7 +5,7 @@
 #include "base/arena.h"
 #include "geom/shape.h"
 
-/* NULL with *error set unless both radii are positive. */
+/* NULL with *error set when a radius is negative. */
 const void *ovus_create(Arena *arena, double bottom_radius, double top_radius, const char **error);
 extern const ShapeClass ovus_class;
 

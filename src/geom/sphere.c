@@ -5,12 +5,8 @@ typedef struct Sphere {
 	double radius;
 } Sphere;
 
-const void *sphere_create(Arena *arena, Vec3 center, double radius, const char **error)
+const void *sphere_create(Arena *arena, Vec3 center, double radius)
 {
-	if (radius == 0) {
-		*error = "a sphere needs a radius";
-		return NULL;
-	}
 	Sphere *sphere = ARENA_NEW(arena, Sphere);
 	*sphere = (Sphere){center, fabs(radius)};
 	return sphere;

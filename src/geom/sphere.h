@@ -5,8 +5,8 @@
 #include "base/arena.h"
 #include "geom/shape.h"
 
-/* NULL with *error set when the radius is zero. A negative radius counts as positive. */
-const void *sphere_create(Arena *arena, Vec3 center, double radius, const char **error);
+/* A negative radius counts as positive; a sphere of radius 0 is never hit. */
+const void *sphere_create(Arena *arena, Vec3 center, double radius);
 extern const ShapeClass sphere_class;
 
 /* Where a ray crosses a sphere: two parameters, rising; false when it misses. */

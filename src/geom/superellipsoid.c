@@ -15,12 +15,13 @@ typedef struct Superellipsoid {
 	bool convex;
 } Superellipsoid;
 
-const void *superellipsoid_create(Arena *arena, double e, double n, const char **error)
+/* Smaller exponents differ from a box by less than can be seen. */
+static const double LEAST_EXPONENT = 1e-4;
+
+const void *superellipsoid_create(Arena *arena, double e, double n)
 {
-	if (!(e > 0 && n > 0)) {
-		*error = "both exponents must be positive";
-		return NULL;
-	}
+	e = fmax(LEAST_EXPONENT, e);
+	n = fmax(LEAST_EXPONENT, n);
 	Superellipsoid *shape = ARENA_NEW(arena, Superellipsoid);
 	*shape = (Superellipsoid){e, n, e <= 2 && n <= 2};
 	return shape;

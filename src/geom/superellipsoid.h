@@ -5,8 +5,8 @@
 #include "base/arena.h"
 #include "geom/shape.h"
 
-/* NULL with *error set unless both exponents are positive. */
-const void *superellipsoid_create(Arena *arena, double e, double n, const char **error);
+/* Exponents of 0 or less count as nearly 0: a box. */
+const void *superellipsoid_create(Arena *arena, double e, double n);
 extern const ShapeClass superellipsoid_class;
 
 #endif

@@ -11,14 +11,10 @@ typedef struct Torus {
 	double major, minor;
 } Torus;
 
-const void *torus_create(Arena *arena, double major, double minor, const char **error)
+const void *torus_create(Arena *arena, double major, double minor)
 {
-	if (!(major > 0 && minor > 0)) {
-		*error = "a torus needs two positive radii";
-		return NULL;
-	}
 	Torus *torus = ARENA_NEW(arena, Torus);
-	*torus = (Torus){major, minor};
+	*torus = (Torus){fabs(major), fmax(0, minor)};
 	return torus;
 }
 

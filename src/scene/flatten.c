@@ -200,9 +200,7 @@ static const Shape *single_shape(Flatten *flatten, const Object *object, State *
 		free(members.items);
 		return only;
 	}
-	Csg *csg = ARENA_NEW(flatten->arena, Csg);
-	csg->count = members.count;
-	csg->children = list_finish(&members, flatten->arena);
+	const Csg *csg = csg_create(flatten->arena, list_finish(&members, flatten->arena), members.count);
 	Shape *shape = new_shape(flatten, &csg_union_class, csg);
 	shape_finish(shape);
 	return shape;
@@ -224,9 +222,7 @@ static void emit_csg(Flatten *flatten, const Object *object, State *state, List 
 		if (has_shape(object->children[i]))
 			list_push(&members, member);
 	}
-	Csg *csg = ARENA_NEW(flatten->arena, Csg);
-	csg->count = members.count;
-	csg->children = list_finish(&members, flatten->arena);
+	const Csg *csg = csg_create(flatten->arena, list_finish(&members, flatten->arena), members.count);
 	list_push(out, finish_shape(new_shape(flatten, class, csg), state));
 }
 

@@ -33,12 +33,11 @@ static const Shape *finish(Arena *arena, const ShapeClass *class, const void *da
 
 static const Shape *small_shape(Arena *arena, uint64_t index)
 {
-	const char *error = NULL;
 	Vec3 p = place(index, 10);
 	if (index % 2)
-		return finish(arena, &sphere_class, sphere_create(arena, p, 0.05 + 0.5 * uniform(index, 3), &error));
+		return finish(arena, &sphere_class, sphere_create(arena, p, 0.05 + 0.5 * uniform(index, 3)));
 	Vec3 q = vec3_add(p, vec3(0.1 + uniform(index, 4), 0.1 + uniform(index, 5), 0.1 + uniform(index, 6)));
-	return finish(arena, &box_class, box_create(arena, p, q, &error));
+	return finish(arena, &box_class, box_create(arena, p, q));
 }
 
 static const Shape *quad_mesh(Arena *arena)
@@ -97,8 +96,8 @@ static void check_containing(Arena *arena)
 {
 	const char *error = NULL;
 	const Shape *shapes[] = {
-		finish(arena, &sphere_class, sphere_create(arena, vec3(0, 0, 0), 2, &error)),
-		finish(arena, &sphere_class, sphere_create(arena, vec3(1, 0, 0), 2, &error)),
+		finish(arena, &sphere_class, sphere_create(arena, vec3(0, 0, 0), 2)),
+		finish(arena, &sphere_class, sphere_create(arena, vec3(1, 0, 0), 2)),
 		finish(arena, &plane_class, plane_create(arena, vec3(0, 1, 0), -1, &error)),
 	};
 	const Shape *out[4];

@@ -17,7 +17,7 @@ static Shape *new_shape(Arena *arena, const ShapeClass *class, const void *data)
 
 static Shape *new_sphere(Arena *arena, Vec3 center, double radius)
 {
-	return new_shape(arena, &sphere_class, sphere_create(arena, center, radius, &message));
+	return new_shape(arena, &sphere_class, sphere_create(arena, center, radius));
 }
 
 static Shape *new_csg(Arena *arena, const ShapeClass *class, const Shape *a, const Shape *b)
@@ -107,7 +107,7 @@ static void test_many_children(Arena *arena)
 	Csg plain = {.children = holes, .count = COUNT};
 	Shape *with_tree = new_shape(arena, &csg_union_class, csg_create(arena, holes, COUNT));
 	Shape *without = new_shape(arena, &csg_union_class, &plain);
-	Shape *block = new_shape(arena, &box_class, box_create(arena, vec3(-4, -4, -1), vec3(4, 4, 1), &message));
+	Shape *block = new_shape(arena, &box_class, box_create(arena, vec3(-4, -4, -1), vec3(4, 4, 1)));
 	Shape *one = new_csg(arena, &csg_intersection_class, block, new_inverse(arena, with_tree));
 	Shape *other = new_csg(arena, &csg_intersection_class, block, new_inverse(arena, without));
 	for (int n = 0; n < 2000; n++) {

@@ -60,7 +60,7 @@ static void test_ovus(Arena *arena)
 		CHECK(shape_nearest(&shape, &ray, &hit));
 		CHECK_NEAR(hit.t, ratios[i] < 2 ? 9 : 11 - ratios[i], 1e-9);
 	}
-	CHECK(!ovus_create(arena, 0, 1, &message));
+	CHECK(!ovus_create(arena, -1, 1, &message));
 }
 
 int main(void)
