@@ -16,10 +16,10 @@ Light light_default(void)
 /* The spline 3t^2 - 2t^3 from 0 at low to 1 at high. */
 static double smooth_step(double low, double high, double at)
 {
+	if (at >= high) /* first: a spot whose radius exceeds its falloff is all radius */
+		return 1;
 	if (at <= low)
 		return 0;
-	if (at >= high)
-		return 1;
 	double t = (at - low) / (high - low);
 	return t * t * (3 - 2 * t);
 }
@@ -63,7 +63,7 @@ Rgb light_arrival(const Light *light, Vec3 from, Vec3 p, Vec3 *direction, double
 	bool parallel = light->parallel || light->kind == LIGHT_CYLINDER;
 	*direction = parallel ? vec3_neg(axis) : vec3_scale(offset, length > 0 ? 1 / length : 0);
 	*distance = parallel ? fabs(vec3_dot(offset, axis)) : length;
-	double share = fade_share(light, length);
+	double share = fade_share(light, *distance);
 	if (light->kind == LIGHT_SPOT)
 		share *= spot_share(light, axis, vec3_scale(offset, length > 0 ? 1 / length : 0));
 	else if (light->kind == LIGHT_CYLINDER)

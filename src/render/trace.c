@@ -31,7 +31,7 @@ static void seen_add(Seen *sum, Seen part, Rgb weight)
 
 static float seen_power(float value, float exponent)
 {
-	return value > 0 ? powf(value, exponent) : 0;
+	return value > 0 ? powf(value, 1 / exponent) : 0;
 }
 
 /* ---- where a ray goes on ---- */

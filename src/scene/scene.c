@@ -9,7 +9,7 @@ Settings settings_default(void)
 {
 	return (Settings){
 		.adc_bailout = 1.0 / 255, .ambient_light = {1, 1, 1}, .max_trace_level = 5, .max_intersections = 64,
-		.number_of_waves = 10, .noise_generator = 2, .irid_wavelength = {0.25f, 0.18f, 0.14f}, .mm_per_unit = 10,
+		.number_of_waves = 10, .noise_generator = 2, .irid_wavelength = {0.70f, 0.52f, 0.48f}, .mm_per_unit = 10,
 		.photons = photon_settings_default(), .version = 3.7,
 	};
 }

@@ -44,7 +44,7 @@ typedef struct Settings {
 	int max_intersections;
 	int number_of_waves;     /* 10 */
 	int noise_generator;     /* 2 */
-	Rgb irid_wavelength;     /* 0.25 0.18 0.14 */
+	Rgb irid_wavelength;     /* 0.70 0.52 0.48 as measured; the manual is outdated */
 	double mm_per_unit;
 	PhotonSettings photons;
 	bool has_radiosity;      /* the scene asks for it */

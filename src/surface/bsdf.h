@@ -1,7 +1,7 @@
 /*
  * How a surface scatters light: the one place where a finish becomes numbers, for eye rays and for photons alike.
  *
- * A bsdf is one stack of texture layers seen from one direction. It has smooth lobes (diffuse, highlights, iridescence), which
+ * A bsdf is one stack of texture layers seen from one direction. It has smooth lobes (diffuse, with iridescence, and highlights), which
  * bsdf_eval gives, and at most one mirror per layer and one passage through, which bsdf_events lists. Values follow POV-Ray: a
  * white diffuse 1 surface lit head on by a light of colour 1 shows colour 1; in physical terms eval is pi * f_r * cos.
  *
@@ -55,7 +55,7 @@ void bsdf_init(Bsdf *bsdf, const ShadingLayer *bottom_to_top, int count, const B
 /* Light that shines by itself: ambient (by the scene's ambient light) and emission. */
 Rgb bsdf_emission(const Bsdf *bsdf, Rgb ambient_light);
 
-/* The smooth lobes; highlights off leaves phong, specular and iridescence out (fill lights). */
+/* The smooth lobes; highlights off leaves phong and specular out (fill lights). */
 Rgb bsdf_eval(const Bsdf *bsdf, Vec3 to, bool highlights);
 /* True when eval is black for every direction. */
 bool bsdf_is_delta(const Bsdf *bsdf);
@@ -71,7 +71,7 @@ typedef struct BsdfEvent {
 	BsdfEventKind kind;
 	Vec3 to;
 	Rgb weight;       /* what the light is multiplied with; of a sample: already divided by its probability */
-	float exponent;   /* reflection's exponent: raise the colour seen to it first */
+	float exponent;   /* reflection's exponent: raise the colour seen to its inverse first */
 	bool bent;        /* transmission changed direction, or turned into total reflection */
 	bool total;       /* a transmission that was totally reflected: it stays on from's side */
 } BsdfEvent;
