@@ -113,7 +113,18 @@ static Deprecation read_deprecation(Reader *reader)
 	return result;
 }
 
-bool declare_end(Reader *reader, const Frame *frame)
+static bool accept_semicolon(Reader *reader)
+{
+	if (!reader->has_ahead)
+		return source_accept_sign(reader, ';');
+	if (reader->ahead.kind != ';')
+		return false;
+	reader->has_ahead = false;
+	return true;
+}
+
+/* Runs what is left of the macros that gave the frame's value. */
+static void drain_macros(Reader *reader, const Frame *frame)
 {
 	while (!reader->has_ahead && reader->source_count > frame->source_depth && !reader->stopped) {
 		Source *source = source_top(reader);
@@ -128,11 +139,16 @@ bool declare_end(Reader *reader, const Frame *frame)
 			break;
 		}
 	}
-	if (!reader->has_ahead)
-		return source_accept_sign(reader, ';');
-	if (reader->ahead.kind == ';')
-		reader->has_ahead = false;
-	return !reader->has_ahead;
+}
+
+bool declare_end(Reader *reader, const Frame *frame)
+{
+	/* A macro's body may end with `value;` although its call does as well. */
+	bool ended = accept_semicolon(reader);
+	if (ended && reader->source_count <= frame->source_depth)
+		return true;
+	drain_macros(reader, frame);
+	return accept_semicolon(reader) || ended;
 }
 
 void declare_skip(Reader *reader)

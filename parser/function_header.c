@@ -41,19 +41,25 @@ static bool body_is_item(Reader *reader)
 	return word == W_pigment || word == W_pattern || word == W_transform || word == W_spline;
 }
 
-int function_header(Reader *reader, Semantic *value, Location where)
+int function_body_begin(Reader *reader, const char **parameters, int count)
 {
-	const char *parameters[PARAMETER_LIMIT];
-	(void)value; (void)where;
-	if (!is_sign(source_peek(reader, 0), '(') && !is_sign(source_peek(reader, 0), '{'))
-		return FUNCTION_SIZED;
-	int count = read_parameters(reader, parameters);
 	if (is_sign(source_peek(reader, 0), '{') && body_is_item(reader))
 		return FUNCTION_ITEM;
 	const char **kept = arena_copy(reader->context.parse, parameters, (size_t)count * sizeof *parameters);
 	function_open(&reader->context, kept, count);
 	reader->function_depth++;
 	return FUNCTION;
+}
+
+int function_header(Reader *reader)
+{
+	const char *parameters[PARAMETER_LIMIT];
+	if (!is_sign(source_peek(reader, 0), '(') && !is_sign(source_peek(reader, 0), '{')) {
+		reader->frame->sized_function = true;
+		return FUNCTION_SIZED;
+	}
+	int count = read_parameters(reader, parameters);
+	return function_body_begin(reader, parameters, count);
 }
 
 int function_sum(Reader *reader, Word word, Semantic *value, Location where)

@@ -151,9 +151,8 @@ node:
 		Node *value = tree_value(reader, NODE_ITEM, $1, @1);
 		$$ = tree_word(reader, NODE_BLOCK, W_function, value, @1);
 	  }
-	| FUNCTION_SIZED expression ',' expression '{' { function_open(&reader->context, NULL, 0); reader->function_depth++; }
-	  function_body '}'                     {
-		Node *value = tree_value(reader, NODE_ITEM, tree_function(reader, $7, @1), @1);
+	| FUNCTION_SIZED expression ',' expression function {
+		Node *value = tree_value(reader, NODE_ITEM, $5, @1);
 		value->next = tree_value(reader, NODE_VALUE, $2, @2);
 		value->next->next = tree_value(reader, NODE_VALUE, $4, @4);
 		$$ = tree_word(reader, NODE_BLOCK, W_function, value, @1);
@@ -253,6 +252,7 @@ expression:
 	| call
 	| '(' condition ')'                     { $$ = $2; }
 	| '<' components '>'                    { $$ = tree_vector(reader, $2, @1); }
+	| '<' components ',' '>'                { $$ = tree_vector(reader, $2, @1); }
 	| expression MEMBER                     { $$ = expression_member(&reader->context, $1, $2, @1); }
 	| '-' expression %prec UNARY            { $$ = expression_unary(&reader->context, OP_NEG, $2, @1); }
 	| '+' expression %prec UNARY            { $$ = expression_unary(&reader->context, OP_PLUS, $2, @1); }

@@ -7,13 +7,13 @@
 #include "parser/grammar.h"
 #include "parser/state.h"
 
-static int word_token(Reader *reader, Word word, Semantic *value, Location where)
+static int word_token(Reader *reader, Word word, Semantic *value)
 {
 	value->word = word;
 	switch (word) {
 	case W_texture: return TEXTURE;
 	case W_array: return ARRAY;
-	case W_function: return function_header(reader, value, where);
+	case W_function: return function_header(reader);
 	case W_internal: return reader->function_depth > 0 ? INTERNAL : WORD;
 	default: return WORD;
 	}
@@ -35,9 +35,18 @@ static int defined_token(Reader *reader, Semantic *value)
 	return VALUE;
 }
 
+/* No parenthesis follows. */
+static bool stands_alone(Reader *reader)
+{
+	const Token *next = source_peek(reader, 0);
+	return !next || next->kind != TOKEN_SIGN || next->code != '(';
+}
+
 static int call_token(Reader *reader, Word word, Semantic *value, Location where)
 {
 	value->word = word;
+	if (stands_alone(reader)) /* julia_fractal's sqr, exp... */
+		return WORD;
 	switch (word) {
 	case W_defined: return defined_token(reader, value);
 	case W_trace: return TRACE;
@@ -69,7 +78,7 @@ static int reserved_token(Reader *reader, Word word, Semantic *value, Location w
 {
 	switch (word_class(word)) {
 	case WORD_PLAIN: case WORD_EXTENSION:
-		return word_token(reader, word, value, where);
+		return word_token(reader, word, value);
 	case WORD_FUNCTION:
 		return call_token(reader, word, value, where);
 	case WORD_CONSTANT:
@@ -125,12 +134,6 @@ static void warn_deprecated(Reader *reader, Symbol *symbol, Location where)
 		diag_warning(reader->context.diag, where, "'%s' is deprecated", symbol->name->text);
 }
 
-static bool macro_stands_alone(Reader *reader)
-{
-	const Token *next = source_peek(reader, 0);
-	return !next || next->kind != TOKEN_SIGN || next->code != '(';
-}
-
 /* The token of an identifier; 0 when it was a macro, which is now being read. */
 static int symbol_token(Reader *reader, Name *name, Semantic *value, Location where)
 {
@@ -144,7 +147,7 @@ static int symbol_token(Reader *reader, Name *name, Semantic *value, Location wh
 		return VALUE;
 	}
 	if (found->kind == VALUE_MACRO) {
-		if (macro_stands_alone(reader)) {
+		if (stands_alone(reader)) {
 			diag_error(reader->context.diag, where, "macro '%s' is called without parentheses", name->text);
 			return poison(reader, value);
 		}
@@ -212,6 +215,12 @@ static int sign_token(Reader *reader, const Token *token, Semantic *value)
 		source->position += taken;
 		return taken ? VALUE : '<';
 	}
+	if (token->code == '{' && reader->frame->sized_function) {
+		/* The grammar sees a function's header, then the brace again. */
+		reader->frame->sized_function = false;
+		source->position--;
+		return function_body_begin(reader, NULL, 0);
+	}
 	if (token->code == '.' && next < end && next->kind == TOKEN_NAME) {
 		source->position++;
 		value->text = next->name->text;
@@ -235,17 +244,44 @@ static int bad_token(Reader *reader, const Token *token, Semantic *value, Locati
 	return token->kind == TOKEN_BAD_CHARACTER ? 0 : READER_YYEOF;
 }
 
-/* Whether the value that the frame reads ends before this directive. */
-static bool frame_ends_before(const Frame *frame, Word directive)
+/* Whether the first branch of #if, #while... begins with what can go on with a complete value: an operator, or a texture's
+ * next layer. */
+static bool branch_goes_on(Reader *reader)
 {
+	uint32_t at = 1;
+	int depth = 0;
+	const Token *token;
+	do {
+		if (!(token = source_peek(reader, at++)))
+			return false;
+		int code = token->kind == TOKEN_SIGN ? token->code : 0;
+		depth += (code == '(') - (code == ')');
+	} while (depth > 0);
+	if (!(token = source_peek(reader, at)))
+		return false;
+	if (token->kind == TOKEN_NAME)
+		return token->name->word == W_texture;
+	return token->kind == TOKEN_SIGN && strchr("+-*/.", token->code);
+}
+
+/* Whether a complete value that the frame reads ends before this token, which would be read with the value not yet given to
+ * its name. */
+static bool frame_ends_before(Reader *reader, const Token *token)
+{
+	const Frame *frame = reader->frame;
 	if (frame->ends == FRAME_RUNS_ON || !frame->complete || frame->depth > 0)
 		return false;
-	switch (directive) {
-	case W_declare: case W_local: case W_undef: case W_default: case W_macro: case W_include: case W_version:
-	case W_read: case W_fopen: case W_fclose: case W_write: case W_debug: case W_warning: case W_error:
-		return true;
-	default:
+	if (token->kind == TOKEN_NAME)
+		return token->name->symbol && symbol_value(token->name->symbol)->kind == VALUE_MACRO;
+	if (token->kind != TOKEN_DIRECTIVE)
+		return false;
+	switch ((Word)token->code) {
+	case W_else: case W_elseif: case W_end: case W_break: case W_case: case W_range:
 		return frame->ends == FRAME_ENDS_AT_DIRECTIVE;
+	case W_if: case W_ifdef: case W_ifndef: case W_while: case W_for: case W_switch:
+		return frame->ends == FRAME_ENDS_AT_DIRECTIVE || !branch_goes_on(reader);
+	default:
+		return true;
 	}
 }
 
@@ -322,7 +358,7 @@ int lexer_fetch(Reader *reader, Semantic *value, Location *where)
 			continue;
 		}
 		const Token *token = &source->file->tokens[source->position];
-		if (token->kind == TOKEN_DIRECTIVE && frame_ends_before(reader->frame, (Word)token->code))
+		if (frame_ends_before(reader, token))
 			return READER_YYEOF;
 		source->position++;
 		int kind = raw_token(reader, token, value, *where);

@@ -87,6 +87,7 @@ struct Frame {
 	bool complete;   /* the last token could end an expression or item */
 	bool color;      /* a colour's parts (filter, red...) may follow */
 	Word last_word;  /* the last token was this word */
+	bool sized_function; /* `function 100, 100` was read: the next brace opens its body */
 	bool failed;     /* a mistake was reported: do not build */
 	bool recovering; /* skip to the brace that closes the block */
 	int skip_depth;
@@ -194,7 +195,10 @@ bool declare_end(Reader *reader, const Frame *frame);
 void stream_directive(Reader *reader, Word word, Location where);
 void file_directive(Reader *reader, Word word, Location where);
 /* function_header.c */
-int function_header(Reader *reader, Semantic *value, Location where);
+/* The token for `function` with what stands before its body. */
+int function_header(Reader *reader);
+/* The token that opens a body at the brace that is next. */
+int function_body_begin(Reader *reader, const char **parameters, int count);
 int function_sum(Reader *reader, Word word, Semantic *value, Location where);
 
 /* frame.c: calls of the grammar. start is a token S_...; all return false after a report. */

@@ -62,6 +62,11 @@ static void run_fopen(Reader *reader)
 static void run_fclose(Reader *reader)
 {
 	Name *name;
+	const Token *next = source_peek(reader, 0);
+	if (next && next->kind == TOKEN_NAME && !next->name->symbol) { /* #read reached the end and closed it */
+		source_top(reader)->position++;
+		return;
+	}
 	SceneFile *file = read_file(reader, &name);
 	if (!file)
 		return;
