@@ -1,1 +1,4 @@
 # Unit tests of src/photon: one program a module.
+check_PROGRAMS += tests/unit/test_photon
+tests_unit_test_photon_SOURCES = tests/unit/test_photon.c tests/unit/check.h
+tests_unit_test_photon_LDADD = libphoton.a libbase.a

@@ -1,0 +1,67 @@
+#include "photon/map.h"
+
+#include <math.h>
+#include <stdlib.h>
+
+#include "base/arena.h"
+
+PhotonMap *photon_map_create(void)
+{
+	PhotonMap *map = memory_alloc(sizeof *map);
+	*map = (PhotonMap){0};
+	return map;
+}
+
+void photon_map_destroy(PhotonMap *map)
+{
+	if (!map)
+		return;
+	photon_tree_destroy(map->tree);
+	free(map->photons);
+	free(map->lights);
+	free(map);
+}
+
+static int compare_floats(const void *a, const void *b)
+{
+	float x = *(const float *)a, y = *(const float *)b;
+	return (x > y) - (x < y);
+}
+
+/*
+ * The spacing of photons on surfaces: with k of them in a disc of radius r there is one in pi r^2 / k, and the side of that
+ * square is what is meant. The median over some photons, taken evenly, is not moved by the few in the dense caustic's core
+ * or far out.
+ */
+static double median_spacing(const PhotonMap *map)
+{
+	enum { SAMPLES = 1000, NEIGHBORS = 8 };
+	uint32_t samples = map->count < SAMPLES ? map->count : SAMPLES, found = 0;
+	float *all = memory_alloc(sizeof *all * (samples + 1));
+	Neighbor near[NEIGHBORS + 8 * TREE_SLACK];
+	for (uint32_t i = 0; i < samples; i++) {
+		const float *p = map->photons[(uint64_t)i * map->count / samples].position;
+		NearestQuery query = {{p[0], p[1], p[2]}, INFINITY, NEIGHBORS, NULL};
+		int count = photon_tree_nearest(map->tree, &query, near);
+		float r2 = photon_tree_farthest(near, count);
+		if (count == NEIGHBORS && r2 > 0)
+			all[found++] = sqrtf((float)M_PI * r2 / NEIGHBORS);
+	}
+	qsort(all, found, sizeof *all, compare_floats);
+	double median = found ? all[found / 2] : 0;
+	free(all);
+	return median;
+}
+
+void photon_map_index(PhotonMap *map, float emitter_weight)
+{
+	photon_tree_destroy(map->tree);
+	TreePoints points = {.count = map->count, .stride = sizeof(Photon), .emitter_weight = emitter_weight};
+	if (map->count > 0) {
+		points.position = map->photons->position;
+		points.emitter = map->photons->emitter;
+		points.light = &map->photons->light;
+	}
+	map->tree = photon_tree_create(&points);
+	map->spacing = median_spacing(map);
+}

@@ -1,0 +1,189 @@
+/*
+ * Photon maps as PLY (Turk 1994): binary little-endian, a vertex a photon, unpacked into plain numbers, so that MeshLab,
+ * CloudCompare and Blender show them. Lights travel as a second element. Numbers are written in the machine's order, which is
+ * little-endian on every machine this runs on; reading other orders or ASCII is refused.
+ */
+#include <errno.h>
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
+
+#include "base/arena.h"
+#include "photon/map.h"
+
+_Static_assert(__BYTE_ORDER__ == __ORDER_LITTLE_ENDIAN__, "PLY files are written in little-endian order");
+
+typedef struct PlyPhoton {
+	float x, y, z, nx, ny, nz, red, green, blue; /* flux */
+	float dx, dy, dz, e1, e2, e3, length;
+	uint16_t light, object;
+	uint8_t edges, path;
+} __attribute__((packed)) PlyPhoton;
+
+typedef struct PlyLight {
+	double paths, parameter_area;
+	uint8_t dimensions;
+} __attribute__((packed)) PlyLight;
+
+static const char photon_properties[] =
+	"property float x\nproperty float y\nproperty float z\n"
+	"property float nx\nproperty float ny\nproperty float nz\n"
+	"property float flux_red\nproperty float flux_green\nproperty float flux_blue\n"
+	"property float from_x\nproperty float from_y\nproperty float from_z\n"
+	"property float emitter_1\nproperty float emitter_2\nproperty float emitter_3\n"
+	"property float path_length\nproperty ushort light\nproperty ushort object\n"
+	"property uchar path_edges\nproperty uchar path_kind\n";
+static const char light_properties[] =
+	"property double paths\nproperty double parameter_area\nproperty uchar parameter_dimensions\n";
+
+/* ---- writing ---- */
+
+static PlyPhoton unpack(const Photon *p)
+{
+	Vec3 n = photon_normal(p), d = photon_direction(p);
+	Rgb flux = photon_flux(p);
+	return (PlyPhoton){p->position[0], p->position[1], p->position[2], (float)n.x, (float)n.y, (float)n.z, flux.r, flux.g,
+	                   flux.b, (float)d.x, (float)d.y, (float)d.z, p->emitter[0], p->emitter[1], p->emitter[2], p->length,
+	                   p->light, p->object, p->edges, p->path};
+}
+
+static bool write_all(const PhotonMap *map, FILE *file)
+{
+	fprintf(file, "ply\nformat binary_little_endian 1.0\ncomment photon map of cognac\nelement vertex %u\n%s", map->count,
+	        photon_properties);
+	fprintf(file, "element light %d\n%send_header\n", map->light_count, light_properties);
+	for (uint32_t i = 0; i < map->count; i++) {
+		PlyPhoton row = unpack(&map->photons[i]);
+		if (fwrite(&row, sizeof row, 1, file) != 1)
+			return false;
+	}
+	for (int i = 0; i < map->light_count; i++) {
+		const PhotonLight *l = &map->lights[i];
+		PlyLight row = {(double)l->paths, l->parameter_area, (uint8_t)l->parameter_dimensions};
+		if (fwrite(&row, sizeof row, 1, file) != 1)
+			return false;
+	}
+	return true;
+}
+
+bool photon_map_write(const PhotonMap *map, const char *path, Diag *diag)
+{
+	size_t length = strlen(path) + 32;
+	char *beside = memory_alloc(length);
+	snprintf(beside, length, "%s.%ld.part", path, (long)getpid());
+	FILE *file = fopen(beside, "wb");
+	bool done = file && write_all(map, file);
+	done = file && fclose(file) == 0 && done && rename(beside, path) == 0;
+	if (!done) {
+		diag_fail(diag, "cannot write the photon map '%s': %s", path, strerror(errno));
+		unlink(beside);
+	}
+	free(beside);
+	return done;
+}
+
+/* ---- reading: what was written here, property for property ---- */
+
+enum { LONGEST_LINE = 256 };
+
+static bool expect_lines(FILE *file, const char *lines)
+{
+	char line[LONGEST_LINE];
+	while (*lines) {
+		size_t length = (size_t)(strchr(lines, '\n') + 1 - lines);
+		if (!fgets(line, sizeof line, file) || strlen(line) != length || memcmp(line, lines, length) != 0)
+			return false;
+		lines += length;
+	}
+	return true;
+}
+
+static bool expect_count(FILE *file, const char *format, unsigned *count)
+{
+	char line[LONGEST_LINE];
+	return fgets(line, sizeof line, file) && sscanf(line, format, count) == 1;
+}
+
+static bool is_sound(const PlyPhoton *row)
+{
+	float sum = row->x + row->y + row->z + row->nx + row->ny + row->nz + row->red + row->green + row->blue + row->dx + row->dy +
+	            row->dz + row->e1 + row->e2 + row->e3 + row->length;
+	return isfinite(sum) && row->red >= 0 && row->green >= 0 && row->blue >= 0;
+}
+
+static Photon pack(const PlyPhoton *row)
+{
+	Photon p = {.position = {row->x, row->y, row->z}, .emitter = {row->e1, row->e2, row->e3}, .length = row->length,
+	            .light = row->light, .object = row->object, .edges = row->edges, .path = row->path};
+	photon_set_flux(&p, rgb(row->red, row->green, row->blue));
+	photon_set_direction(&p, vec3_normalize(vec3(row->dx, row->dy, row->dz)));
+	photon_set_normal(&p, vec3_normalize(vec3(row->nx, row->ny, row->nz)));
+	return p;
+}
+
+static long bytes_left(FILE *file)
+{
+	long at = ftell(file);
+	if (at < 0 || fseek(file, 0, SEEK_END) != 0)
+		return -1;
+	long end = ftell(file);
+	return fseek(file, at, SEEK_SET) == 0 ? end - at : -1;
+}
+
+static const char *read_rows(PhotonMap *map, FILE *file)
+{
+	long need = (long)(map->count * sizeof(PlyPhoton) + (size_t)map->light_count * sizeof(PlyLight));
+	if (bytes_left(file) != need)
+		return "its length does not fit its header";
+	map->photons = memory_alloc(sizeof(Photon) * map->count);
+	map->lights = memory_alloc(sizeof(PhotonLight) * (size_t)map->light_count);
+	for (uint32_t i = 0; i < map->count; i++) {
+		PlyPhoton row;
+		if (fread(&row, sizeof row, 1, file) != 1)
+			return "it ends too early";
+		if (!is_sound(&row) || row.light >= map->light_count)
+			return "it holds a photon that cannot be";
+		map->photons[i] = pack(&row);
+	}
+	for (int i = 0; i < map->light_count; i++) {
+		PlyLight row;
+		if (fread(&row, sizeof row, 1, file) != 1)
+			return "it ends too early";
+		map->lights[i] = (PhotonLight){(uint64_t)row.paths, row.parameter_area, row.dimensions};
+	}
+	return NULL;
+}
+
+static const char *read_all(PhotonMap *map, FILE *file)
+{
+	unsigned photons, lights;
+	if (!expect_lines(file, "ply\nformat binary_little_endian 1.0\ncomment photon map of cognac\n") ||
+	    !expect_count(file, "element vertex %u\n", &photons) || !expect_lines(file, photon_properties) ||
+	    !expect_count(file, "element light %u\n", &lights) || !expect_lines(file, light_properties) ||
+	    !expect_lines(file, "end_header\n"))
+		return "it is no photon map of this program";
+	if (lights > UINT16_MAX)
+		return "it holds too many lights";
+	map->count = photons;
+	map->light_count = (int)lights;
+	return read_rows(map, file);
+}
+
+PhotonMap *photon_map_read(const char *path, Diag *diag)
+{
+	FILE *file = fopen(path, "rb");
+	if (!file) {
+		diag_fail(diag, "cannot read the photon map '%s': %s", path, strerror(errno));
+		return NULL;
+	}
+	PhotonMap *map = photon_map_create();
+	const char *wrong = read_all(map, file);
+	fclose(file);
+	if (!wrong)
+		return map;
+	diag_fail(diag, "cannot read the photon map '%s': %s", path, wrong);
+	photon_map_destroy(map);
+	return NULL;
+}
