@@ -206,16 +206,7 @@ INLINE float find_bound(const Candidates *c, int spare)
 	return float_of(hi);
 }
 
-INLINE void tighten(Candidates *c, int spare)
-{
-	if (c->count <= c->wanted)
-		return;
-	pad(c);
-	c->bound = find_bound(c, spare);
-	keep_nearer(c, c->bound);
-}
-
-/* More than wanted are left only where several are exactly as far as the farthest: of those, the lowest indices stay. */
+/* Of several that are exactly as far as the farthest, the lowest indices stay; others still compete by theirs. */
 static void break_ties(Candidates *c)
 {
 	pad(c);
@@ -230,6 +221,17 @@ static void break_ties(Candidates *c)
 		c->distance2[worst] = c->distance2[c->count];
 		c->index[worst] = c->index[c->count];
 	}
+}
+
+INLINE void tighten(Candidates *c, int spare)
+{
+	if (c->count <= c->wanted)
+		return;
+	pad(c);
+	c->bound = find_bound(c, spare);
+	keep_nearer(c, c->bound);
+	if (c->count > c->wanted + spare)
+		break_ties(c);
 }
 
 float photon_tree_farthest(const Neighbor *found, int count)
@@ -292,8 +294,6 @@ CLONES int photon_tree_nearest(const PhotonTree *tree, const NearestQuery *query
 	Candidates c = {distance2, index, 0, query->count, capacity, query->max_distance2};
 	walk_nearest(tree, query, &c);
 	tighten(&c, 0);
-	if (c.count > c.wanted)
-		break_ties(&c);
 	for (int i = 0; i < c.count; i++)
 		out[i] = (Neighbor){distance2[i], index[i]};
 	return c.count;
