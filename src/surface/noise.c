@@ -110,6 +110,15 @@ static double perlin_value(Vec3 p)
 	return clamp_unit(0.5 * (1.59 * sum + 0.985));
 }
 
+Vec3 noise_cube_random(Vec3 cube)
+{
+	int hash = noise_hash[(int64_t)cube.x & LATTICE_MASK];
+	hash = noise_hash[hash ^ ((int64_t)cube.y & LATTICE_MASK)];
+	hash = noise_hash[hash ^ ((int64_t)cube.z & LATTICE_MASK)];
+	const uint32_t *random = noise_twister + hash;
+	return vec3(random[0] * 0x1p-32, random[1] * 0x1p-32, random[2] * 0x1p-32);
+}
+
 Turbulence turbulence_default(void)
 {
 	return (Turbulence){.octaves = 6, .lambda = 2, .omega = 0.5};

@@ -30,4 +30,7 @@ Vec3 noise_vector(Vec3 p, int generator);
 double turbulence_value(Vec3 p, const Turbulence *t, int generator);
 Vec3 turbulence_vector(Vec3 p, const Turbulence *t, int generator);
 
+/* Three random numbers in [0, 1) for the unit cube whose lower corner is given: the point of crackle's cells. */
+Vec3 noise_cube_random(Vec3 cube);
+
 #endif

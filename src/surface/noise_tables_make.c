@@ -5,7 +5,8 @@
  * - values and derivatives of f_noise_generator(x,y,z,1) at lattice points give the hash of each point and the 267 entries;
  *   the hash is a table shuffled by the linear congruential generator below from seed 0;
  * - the gradients of generator 3 are those that the same generator draws from seed 1, vectors longer than 1 rejected; the
- *   order in which lattice points use them is no shuffle that could be named, so it stands here as measured at (0, y, 0).
+ *   order in which lattice points use them is no shuffle that could be named, so it stands here as measured at (0, y, 0);
+ * - the pattern cells prints the first numbers of the Mersenne twister, by each cube's hash.
  */
 #include <math.h>
 #include <stdint.h>
@@ -241,11 +242,33 @@ static void write_perlin_gradients(void)
 	printf("};\n");
 }
 
+/* The first numbers of MT19937 with its default seed (Matsumoto and Nishimura 1998, eqs. 2.1 to 2.5). */
+static void write_twister(void)
+{
+	enum { N = 624, M = 397, COUNT = HASH_COUNT + 2 };
+	uint32_t x[COUNT + N] = {5489};
+	for (uint32_t i = 1; i < N; i++)
+		x[i] = 1812433253u * (x[i - 1] ^ x[i - 1] >> 30) + i;
+	printf("static const uint32_t noise_twister[%d] = {\n", COUNT);
+	for (int i = 0; i < COUNT; i++) {
+		uint32_t joined = (x[i] & 0x80000000u) | (x[i + 1] & 0x7fffffffu);
+		x[i + N] = x[i + M] ^ joined >> 1 ^ (joined & 1 ? 0x9908b0dfu : 0);
+		uint32_t y = x[i + N];
+		y ^= y >> 11;
+		y ^= y << 7 & 0x9d2c5680u;
+		y ^= y << 15 & 0xefc60000u;
+		y ^= y >> 18;
+		printf("%uu,%c", y, i % 8 == 7 ? '\n' : ' ');
+	}
+	printf("};\n\n");
+}
+
 int main(void)
 {
 	printf("/* Written by noise_tables_make. */\n\n");
 	write_hash();
 	write_entries();
+	write_twister();
 	write_perlin_hash();
 	write_perlin_gradients();
 	return fflush(stdout) != 0 || ferror(stdout);

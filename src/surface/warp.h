@@ -74,6 +74,8 @@ void warp_add(Arena *arena, const Warp **list, const Warp *warp);
 /* The turbulence that the words turbulence, octaves, lambda and omega of a pattern change: fetch with warp_classic (defaults
  * when there is none), change, put back with warp_set_classic. */
 Turbulence warp_classic(const Warp *list);
+/* The list's classic turbulence, or NULL. */
+const Turbulence *warp_find_classic(const Warp *list);
 void warp_set_classic(Arena *arena, const Warp **list, const Turbulence *turbulence);
 
 /* Applies the list to p. The classic turbulence is left out when skip_classic (patterns that use it in their own way). */
