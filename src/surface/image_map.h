@@ -21,7 +21,6 @@ typedef enum ImageMapping {
 	IMAGE_MAPPING_SPHERICAL = 1,
 	IMAGE_MAPPING_CYLINDRICAL = 2,
 	IMAGE_MAPPING_TOROIDAL = 5,
-	IMAGE_MAPPING_ANGULAR = 7,
 } ImageMapping;
 
 /* The numbers are those of the word interpolate. */

@@ -4,6 +4,7 @@
  * point. Measured by trilateration with `crackle form <1, 0, 0>`.
  */
 #include <math.h>
+#include <stdlib.h>
 
 #include "surface/noise.h"
 #include "surface/pattern_classes.h"

@@ -15,7 +15,7 @@ static double value_solid(const Pattern *pattern, const SurfacePoint *at)
 static double value_gradient(const Pattern *pattern, const SurfacePoint *at)
 {
 	const GradientData *data = pattern->data;
-	double v = vec3_dot(at->p, data->direction);
+	double v = vec3_dot(at->p, vec3_normalize(data->direction));
 	return v > 1 ? fmod(v, 1) : v;
 }
 
