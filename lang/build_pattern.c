@@ -20,6 +20,9 @@ Pattern build_pattern_none(const Context *context)
 {
 	Pattern pattern = {.frequency = 1, .exponent = 1};
 	pattern.noise_generator = context->builder->settings.noise_generator;
+	/* Scenes of versions before 3.5 that say nothing have the noise of their time. */
+	if (pattern.noise_generator == settings_default().noise_generator && build_version_before(context, 3.5))
+		pattern.noise_generator = 1;
 	return pattern;
 }
 
@@ -258,6 +261,14 @@ static void take_facets(Cursor *cursor, Pattern *pattern)
 	*data = (FacetsData){.coords = 0, .size = 0.1};
 }
 
+/* Waves spread from as many sources as global_settings says. */
+static void take_waves(Cursor *cursor, Pattern *pattern)
+{
+	const SceneBuilder *builder = cursor->context->builder;
+	if (builder->settings.number_of_waves != settings_default().number_of_waves)
+		pattern->data = wave_sources_create(builder->arena, builder->settings.number_of_waves);
+}
+
 /* Takes the parameters behind the word, which is taken already unless own_word. */
 typedef void PatternParameters(Cursor *cursor, Pattern *pattern);
 
@@ -300,7 +311,7 @@ static const PatternRow PATTERNS[] = {
 	{W_planar, NULL, false},
 	{W_quilted, NULL, false},
 	{W_radial, NULL, false},
-	{W_ripples, NULL, false},
+	{W_ripples, take_waves, false},
 	{W_slope, take_slope, true},
 	{W_spherical, NULL, false},
 	{W_spiral1, take_spiral, false},
@@ -309,7 +320,7 @@ static const PatternRow PATTERNS[] = {
 	{W_square, NULL, false},
 	{W_tiling, take_tiling, false},
 	{W_triangular, NULL, false},
-	{W_waves, NULL, false},
+	{W_waves, take_waves, false},
 	{W_wood, NULL, false},
 	{W_wrinkles, NULL, false},
 };

@@ -120,13 +120,14 @@ static void take_tiles(Cursor *cursor, Texture *texture)
 	Context *context = cursor->context;
 	Cursor inside = cursor_begin(context, cursor_next(cursor));
 	TextureEntry *entries = ARENA_ARRAY(scene_arena(context), TextureEntry, 2);
-	entries[0] = (TextureEntry){0, context->defaults.texture};
-	entries[1] = (TextureEntry){1, context->defaults.texture};
-	build_texture_list(&inside, &entries[0], 1);
+	/* The first texture is where checker has its second. */
+	TextureEntry given[2] = {{0, context->defaults.texture}, {0, context->defaults.texture}};
+	build_texture_list(&inside, &given[0], 1);
 	if (!cursor_accept_word(&inside, W_tile2))
 		cursor_expected(&inside, "'tile2'");
-	build_texture_list(&inside, &entries[1], 1);
-	entries[1].key = 1;
+	build_texture_list(&inside, &given[1], 1);
+	entries[0] = (TextureEntry){0, given[1].texture};
+	entries[1] = (TextureEntry){1, given[0].texture};
 	cursor_end(&inside);
 	pattern_init(&texture->pattern, pattern_find("checker"));
 	texture->kind = TEXTURE_LIST;

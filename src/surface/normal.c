@@ -22,7 +22,8 @@ static const Vec3 CORNERS[4] = {
 	{0.0, 1.0, 0.0},
 };
 
-/* The height over a pattern's value: a Hermite cubic between entries with the slopes given there. */
+/* The height over a pattern's value: a Hermite cubic between entries. As in POV-Ray a slope counts per distance of the two
+ * entries, not per unit of the value. */
 static double slope_map_height(const Normal *normal, double value)
 {
 	const SlopeEntry *slopes = normal->slopes;
@@ -32,10 +33,9 @@ static double slope_map_height(const Normal *normal, double value)
 	if (span.lower == span.upper)
 		return slopes[span.upper].height;
 	const SlopeEntry *a = &slopes[span.lower], *b = &slopes[span.upper];
-	double width = b->key - a->key, t = span.weight;
-	double t2 = t * t, t3 = t2 * t;
+	double t = span.weight, t2 = t * t, t3 = t2 * t;
 	return (2 * t3 - 3 * t2 + 1) * a->height + (3 * t2 - 2 * t3) * b->height +
-	       width * ((t3 - 2 * t2 + t) * a->slope + (t3 - t2) * b->slope);
+	       (t3 - 2 * t2 + t) * a->slope + (t3 - t2) * b->slope;
 }
 
 static Vec3 bend_by_slope(const Normal *normal, const SurfacePoint *at, Vec3 n)

@@ -1,9 +1,7 @@
 /*
  * Textures: from a texture and a place to the layers that the integrator lights. A map or an average of textures becomes
- * several stacks of layers with weights.
- *
- * As in POV-Ray, the transformations of a patterned texture move its pattern and the points that the textures inside see, but do
- * not turn the normals that these bend; a plain texture's transformations do both.
+ * several stacks of layers with weights. Points and normals go down through the transformations of each level; bent normals
+ * come back up the same way.
  */
 #include <math.h>
 
@@ -11,26 +9,41 @@
 #include "surface/image_map.h"
 #include "surface/texture.h"
 
-/* Where a texture is asked: p in the space it stands in; frame leads from there to the space of the normal, world. */
-typedef struct Place {
-	SurfacePoint at;
-	const Transform *frame; /* NULL: none, or inside a patterned texture */
-} Place;
+/* Where a texture is asked, and how its space was reached from the outer one (the world when there is none): by frame, or
+ * through the transformations of a patterned texture. */
+typedef struct Place Place;
+struct Place {
+	SurfacePoint at;        /* p in the texture's space */
+	Vec3 normal;            /* in the texture's space, of any length */
+	const Transform *frame; /* or NULL */
+	const Texture *through; /* or NULL */
+	const Place *outer;
+};
 
 static void shade(const Texture *texture, const Place *place, double weight, Shading *out);
 
 static Vec3 into(const Transform *t, Vec3 n) { return t ? transform_normal_inverse(t, n) : n; }
 static Vec3 out_of(const Transform *t, Vec3 n) { return t ? transform_normal(t, n) : n; }
 
+static Vec3 normal_to_world(const Place *place, Vec3 n)
+{
+	for (; place; place = place->outer) {
+		if (place->through)
+			n = out_of(place->through->transform, pattern_unwarp_normal(&place->through->pattern, n));
+		n = out_of(place->frame, n);
+	}
+	return vec3_normalize(n);
+}
+
 static Vec3 layer_normal(const Texture *texture, const Place *place, const SurfacePoint *inner)
 {
 	if (!texture->normal)
 		return place->at.normal;
-	Vec3 n = into(texture->transform, into(place->frame, place->at.normal));
+	Vec3 n = into(texture->transform, place->normal);
 	if (!texture->normal->no_bump_scale)
 		n = vec3_normalize(n);
 	n = normal_perturb(texture->normal, inner, n);
-	return vec3_normalize(out_of(place->frame, out_of(texture->transform, n)));
+	return normal_to_world(place, out_of(texture->transform, n));
 }
 
 static SurfacePoint point_inside(const Texture *texture, const Place *place)
@@ -96,13 +109,15 @@ static void shade(const Texture *texture, const Place *place, double weight, Sha
 		shade_plain(texture, place, weight, out);
 		return;
 	}
-	Place inner = {point_inside(texture, place), NULL};
+	Place inner = {.at = point_inside(texture, place), .through = texture, .outer = place};
 	if (texture->kind == TEXTURE_UV) {
+		inner = (Place){.at = place->at, .normal = place->at.normal};
 		inner.at.p = vec3(place->at.uv.u, place->at.uv.v, 0);
 		shade(texture->textures[0].texture, &inner, weight, out);
 		return;
 	}
 	inner.at.p = pattern_warp_point(&texture->pattern, &inner.at);
+	inner.normal = pattern_warp_normal(&texture->pattern, into(texture->transform, place->normal));
 	switch (texture->kind) {
 	case TEXTURE_AVERAGE: shade_average(texture, &inner, weight, out); break;
 	case TEXTURE_MATERIAL_MAP: shade_material_map(texture, &inner, weight, out); break;
@@ -122,7 +137,7 @@ static void rescale(Shading *out)
 
 void texture_shade(const Texture *texture, const Transform *attach, const SurfacePoint *at, Shading *out)
 {
-	Place place = {*at, attach};
+	Place place = {.at = *at, .normal = into(attach, at->normal), .frame = attach};
 	place.at.p = attach ? transform_point_inverse(attach, at->world) : at->world;
 	out->layer_count = out->stack_count = 0;
 	shade(texture, &place, 1, out);
