@@ -73,11 +73,29 @@ static Vec3 box_normal(const void *data, const Hit *hit, Vec3 p)
 	return normals[hit->part];
 }
 
+/* The cross of six faces that POV-Ray unfolds over the unit square: 4 columns along u, 3 rows along v. */
+static Vec2 box_uv(const void *data, const Hit *hit, Vec3 p)
+{
+	const Box3 *box = data;
+	Vec3 size = vec3_sub(box->hi, box->lo), from = vec3_sub(p, box->lo);
+	double x = from.x / size.x / 4, z = from.z / size.z / 4;
+	double y_row = (1 + from.y / size.y) / 3, z_row = from.z / size.z / 3;
+	switch (hit->part) {
+	case 0: return (Vec2){z, y_row};
+	case 1: return (Vec2){0.75 - z, y_row};
+	case 2: return (Vec2){0.25 + x, z_row};
+	case 3: return (Vec2){0.25 + x, 1 - z_row};
+	case 4: return (Vec2){1 - x, y_row};
+	default: return (Vec2){0.25 + x, y_row};
+	}
+}
+
 const ShapeClass box_class = {
 	.name = "box",
 	.bounds = box_bounds,
 	.intersect = box_intersect,
 	.inside = box_inside,
 	.normal = box_normal,
+	.uv = box_uv,
 	.nearest = box_nearest,
 };

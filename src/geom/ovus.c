@@ -127,10 +127,19 @@ static Vec3 ovus_normal(const void *data, const Hit *hit, Vec3 p)
 	return vec3(p.x * stretch, p.y - ovus->height, p.z * stretch);
 }
 
+/* As on a sphere around a point half a top radius up. */
+static Vec2 ovus_uv(const void *data, const Hit *hit, Vec3 p)
+{
+	const Ovus *ovus = data;
+	(void)hit;
+	return sphere_uv_of(vec3_sub(p, vec3(0, 0.5 * ovus->top, 0)));
+}
+
 const ShapeClass ovus_class = {
 	.name = "ovus",
 	.bounds = ovus_bounds,
 	.intersect = ovus_intersect,
 	.inside = ovus_inside,
 	.normal = ovus_normal,
+	.uv = ovus_uv,
 };

@@ -66,16 +66,19 @@ static Vec3 sphere_normal(const void *data, const Hit *hit, Vec3 p)
 	return vec3_sub(p, ((const Sphere *)data)->center);
 }
 
-/* u goes round from the x axis towards z, v from the south pole to the north. */
-static Vec2 sphere_uv(const void *data, const Hit *hit, Vec3 p)
+Vec2 sphere_uv_of(Vec3 direction)
 {
-	const Sphere *sphere = data;
-	(void)hit;
-	Vec3 at = vec3_scale(vec3_sub(p, sphere->center), 1 / sphere->radius);
+	Vec3 at = vec3_normalize(direction);
 	double angle = atan2(at.z, at.x);
 	if (angle < 0)
 		angle += 2 * M_PI;
 	return (Vec2){angle / (2 * M_PI), 0.5 + asin(fmax(-1, fmin(1, at.y))) / M_PI};
+}
+
+static Vec2 sphere_uv(const void *data, const Hit *hit, Vec3 p)
+{
+	(void)hit;
+	return sphere_uv_of(vec3_sub(p, ((const Sphere *)data)->center));
 }
 
 const ShapeClass sphere_class = {

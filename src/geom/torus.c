@@ -103,11 +103,21 @@ static Vec3 torus_normal(const void *data, const Hit *hit, Vec3 p)
 	return vec3(p.x - p.x * inner, p.y, p.z - p.z * inner);
 }
 
+/* u goes round the axis, v round the tube. */
+static Vec2 torus_uv(const void *data, const Hit *hit, Vec3 p)
+{
+	const Torus *torus = data;
+	(void)hit;
+	double across = sqrt(p.x * p.x + p.z * p.z) - torus->major;
+	return (Vec2){0.5 - atan2(p.z, p.x) / (2 * M_PI), 0.5 + atan2(p.y, across) / (2 * M_PI)};
+}
+
 const ShapeClass torus_class = {
 	.name = "torus",
 	.bounds = torus_bounds,
 	.intersect = torus_intersect,
 	.inside = torus_inside,
 	.normal = torus_normal,
+	.uv = torus_uv,
 	.nearest = torus_nearest,
 };

@@ -139,6 +139,30 @@ static void test_torus(Arena *arena)
 	check_shape(&shape, &(ShapeTraits){.name = "thin torus", .size = 3, .step = 1e-6}, 5000);
 }
 
+static void check_uv(const Shape *shape, Ray ray, double u, double v)
+{
+	Hit hit;
+	CHECK(shape_nearest(shape, &ray, &hit));
+	Vec2 uv = hit_uv(&hit, ray_at(&ray, hit.t));
+	CHECK_NEAR(uv.u, u, 2e-4);
+	CHECK_NEAR(uv.v, v, 2e-4);
+}
+
+/* Values measured with POV-Ray. */
+static void test_uv(Arena *arena)
+{
+	Shape box = test_shape(&box_class, box_create(arena, vec3_all(-1), vec3_all(1)));
+	check_uv(&box, ray_from(vec3(-0.75, 0.75, -9), vec3(0, 0, 1)), 0.9687, 0.625);
+	check_uv(&box, ray_from(vec3(-0.25, -0.25, 9), vec3(0, 0, -1)), 0.34375, 0.4584);
+	check_uv(&box, ray_from(vec3(9, -0.75, -0.75), vec3(-1, 0, 0)), 0.7187, 0.375);
+	check_uv(&box, ray_from(vec3(-9, 0.75, 0.75), vec3(1, 0, 0)), 0.2187, 0.625);
+	check_uv(&box, ray_from(vec3(0.75, 9, -0.75), vec3(0, -1, 0)), 0.4687, 0.9584);
+	check_uv(&box, ray_from(vec3(-0.75, -9, 0.75), vec3(0, 1, 0)), 0.2812, 0.2917);
+	Shape torus = test_shape(&torus_class, torus_create(arena, 1, 0.4));
+	check_uv(&torus, ray_from(vec3(-1, -0.2, -9), vec3(0, 0, 1)), 0.8832, 0.4167);
+	check_uv(&torus, ray_from(vec3(-0.2, 0.2, -9), vec3(0, 0, 1)), 0.7737, 0.5834);
+}
+
 /* clipped_by takes away what lies outside of the clip. */
 static void test_clip(Arena *arena)
 {
@@ -173,6 +197,7 @@ int main(void)
 	test_cone(arena);
 	test_disc(arena);
 	test_torus(arena);
+	test_uv(arena);
 	test_clip(arena);
 	arena_destroy(arena);
 	return CHECK_RESULT();

@@ -60,6 +60,14 @@ static void test_ovus(Arena *arena)
 		CHECK(shape_nearest(&shape, &ray, &hit));
 		CHECK_NEAR(hit.t, ratios[i] < 2 ? 9 : 11 - ratios[i], 1e-9);
 	}
+	/* A measured value of POV-Ray's. */
+	Shape egg = test_shape(&ovus_class, ovus_create(arena, 1, 0.5, &message));
+	Ray front = {{-0.2, 1.4, -9}, {0, 0, 1}, 0, INFINITY};
+	Hit at;
+	CHECK(shape_nearest(&egg, &front, &at));
+	Vec2 uv = hit_uv(&at, ray_at(&front, at.t));
+	CHECK_NEAR(uv.u, 0.6339, 1e-4);
+	CHECK_NEAR(uv.v, 0.9187, 1e-4);
 	CHECK(!ovus_create(arena, -1, 1, &message));
 }
 
