@@ -4,6 +4,13 @@
 #include "lang/build_pattern.h"
 #include "surface/warp.h"
 
+static float take_single(Cursor *cursor, float otherwise)
+{
+	double number = otherwise;
+	cursor_take_float(cursor, &number);
+	return (float)number;
+}
+
 static void take_turbulence(Cursor *cursor, Warp *warp)
 {
 	Turbulence t = turbulence_default();
@@ -13,9 +20,9 @@ static void take_turbulence(Cursor *cursor, Warp *warp)
 		if (cursor_accept_word(cursor, W_octaves))
 			cursor_take_float(cursor, &octaves);
 		else if (cursor_accept_word(cursor, W_omega))
-			cursor_take_float(cursor, &t.omega);
+			t.omega = take_single(cursor, t.omega);
 		else if (cursor_accept_word(cursor, W_lambda))
-			cursor_take_float(cursor, &t.lambda);
+			t.lambda = take_single(cursor, t.lambda);
 		else
 			break;
 	}

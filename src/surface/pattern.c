@@ -86,7 +86,12 @@ double pattern_value(const Pattern *pattern, const SurfacePoint *at)
 {
 	SurfacePoint warped = *at;
 	warped.p = pattern_warp_point(pattern, at);
-	double v = pattern->class->value(pattern, &warped);
+	return pattern_value_unwarped(pattern, &warped);
+}
+
+double pattern_value_unwarped(const Pattern *pattern, const SurfacePoint *at)
+{
+	double v = pattern->class->value(pattern, at);
 	if (pattern->class->list > 0)
 		return v;
 	if (pattern->frequency != 0)

@@ -2,3 +2,9 @@
 check_PROGRAMS += tests/unit/test_bsdf
 tests_unit_test_bsdf_SOURCES = tests/unit/test_bsdf.c tests/unit/check.h
 tests_unit_test_bsdf_LDADD = libsurface.a libbase.a
+check_PROGRAMS += tests/unit/test_texture
+tests_unit_test_texture_SOURCES = tests/unit/test_texture.c tests/unit/check.h
+tests_unit_test_texture_LDADD = libsurface.a libbase.a
+check_PROGRAMS += tests/unit/test_normal
+tests_unit_test_normal_SOURCES = tests/unit/test_normal.c tests/unit/check.h
+tests_unit_test_normal_LDADD = libsurface.a libbase.a
