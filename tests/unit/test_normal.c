@@ -35,9 +35,9 @@ static void test_closed_form(void)
 	SurfacePoint at = origin();
 	Vec3 n = normal_perturb(&normal, &at, vec3(0, 0, -1));
 	Vec3 expected = vec3_normalize(vec3_mad(vec3(0, 0, -1), -0.8 * 4 / 30, gradient));
-	CHECK_NEAR(vec3_distance(n, expected), 0, 1e-8);
+	CHECK_NEAR(vec3_distance(n, expected), 0, 1e-6);
 	normal.accuracy = 0.001;
-	CHECK_NEAR(vec3_distance(normal_perturb(&normal, &at, vec3(0, 0, -1)), expected), 0, 1e-8);
+	CHECK_NEAR(vec3_distance(normal_perturb(&normal, &at, vec3(0, 0, -1)), expected), 0, 1e-6);
 }
 
 /* Turning pattern, point and normal together turns the result. */
@@ -78,7 +78,7 @@ static void test_average(void)
 	const NormalEntry entries[] = {{1, &a}, {1, &b}};
 	Normal average = {.kind = NORMAL_AVERAGE, .normals = entries, .normal_count = 2};
 	SurfacePoint at = origin();
-	CHECK_NEAR(vec3_distance(normal_perturb(&average, &at, vec3(0, 0, -1)), vec3(0, 0, -1)), 0, 1e-9);
+	CHECK_NEAR(vec3_distance(normal_perturb(&average, &at, vec3(0, 0, -1)), vec3(0, 0, -1)), 0, 1e-7);
 }
 
 static void test_slope_map(void)
@@ -97,7 +97,7 @@ static void test_slope_map(void)
 	Normal plain = normal_of(&twice, 1);
 	normal.slopes = steep;
 	CHECK_NEAR(vec3_distance(normal_perturb(&normal, &at, vec3(0, 0, -1)),
-	                         normal_perturb(&plain, &at, vec3(0, 0, -1))), 0, 1e-9);
+	                         normal_perturb(&plain, &at, vec3(0, 0, -1))), 0, 1e-7);
 }
 
 int main(void)

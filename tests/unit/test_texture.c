@@ -132,7 +132,7 @@ static void test_texture_map(void)
 	CHECK_NEAR(weight_of(&shading, &f[2]), 0.75, 1e-6);
 	CHECK_NEAR(weight_of(&shading, &f[0]), 0.125, 1e-6);
 	CHECK_NEAR(weight_of(&shading, &f[1]), 0.125, 1e-6);
-	at = point(11.5);
+	at = point(11);
 	texture_shade(&map, &attach, &at, &shading);
 	CHECK(shading.stack_count == 1 && weight_of(&shading, &f[2]) == 1);
 }
