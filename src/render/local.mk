@@ -1,5 +1,5 @@
 noinst_LIBRARIES += librender.a
 librender_a_SOURCES = src/render/antialias.c src/render/antialias.h src/render/atmosphere.c src/render/atmosphere.h \
-	src/render/film.c src/render/film.h src/render/inside.c src/render/inside.h src/render/lighting.c src/render/lighting.h \
-	src/render/render.c src/render/render.h src/render/sample.c src/render/sample.h src/render/shade.c src/render/shade.h \
+	src/render/film.c src/render/film.h src/render/lighting.c src/render/lighting.h \
+	src/render/render.c src/render/render.h src/render/sample.c src/render/sample.h \
 	src/render/shadow.c src/render/trace.c src/render/tracer.h

@@ -3,7 +3,7 @@
  * passes: by their textures, by POV-Ray's fake caustics, and by the attenuation of what lies between them.
  */
 #include "render/lighting.h"
-#include "render/shade.h"
+#include "scene/shade.h"
 
 enum { SHADOW_MAX_HITS = 128 }; /* more transparent surfaces in one ray count as opaque */
 

@@ -10,7 +10,7 @@
 
 #include "render/atmosphere.h"
 #include "render/lighting.h"
-#include "render/shade.h"
+#include "scene/shade.h"
 
 enum { TRACE_MAX_DEPTH = 250 }; /* recursion limit for surfaces in a row that let a ray straight through */
 

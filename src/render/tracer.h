@@ -6,7 +6,7 @@
 #define RENDER_TRACER_H
 
 #include "base/random.h"
-#include "render/inside.h"
+#include "scene/inside.h"
 #include "render/render.h"
 #include "scene/accel.h"
 #include "scene/scene.h"

@@ -2,8 +2,8 @@
  * Which objects' insides a ray is in, in the order in which it entered them: for indices of refraction, attenuation, and
  * whether fog reaches here. A surface is known by its interior, or by its object when it has none.
  */
-#ifndef RENDER_INSIDE_H
-#define RENDER_INSIDE_H
+#ifndef SCENE_INSIDE_H
+#define SCENE_INSIDE_H
 
 #include "scene/object.h"
 

@@ -1,4 +1,4 @@
-#include "render/shade.h"
+#include "scene/shade.h"
 
 #include <string.h>
 

@@ -1,4 +1,4 @@
-#include "render/inside.h"
+#include "scene/inside.h"
 
 #include <string.h>
 

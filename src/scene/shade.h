@@ -1,8 +1,8 @@
 /* A hit made ready for shading: place, sides, textures. */
-#ifndef RENDER_SHADE_H
-#define RENDER_SHADE_H
+#ifndef SCENE_SHADE_H
+#define SCENE_SHADE_H
 
-#include "render/tracer.h"
+#include "scene/object.h"
 
 typedef struct ShadePoint {
 	SurfacePoint at;        /* normal: turned against the ray */
