@@ -159,8 +159,8 @@ double turbulence_value(Vec3 p, const Turbulence *t, int generator)
 	if (generator != 1)
 		sum = clamp_unit(sum);
 	for (int i = 1; i < t->octaves; i++) {
-		scale *= t->lambda;
-		size *= t->omega;
+		scale *= (float)t->lambda;
+		size *= (float)t->omega;
 		sum += size * turbulence_octave(vec3_scale(p, scale), generator);
 	}
 	return sum;
@@ -171,8 +171,8 @@ Vec3 turbulence_vector(Vec3 p, const Turbulence *t, int generator)
 	Vec3 sum = noise_vector(p, generator);
 	double scale = 1, size = 1;
 	for (int i = 1; i < t->octaves; i++) {
-		scale *= t->lambda;
-		size *= t->omega;
+		scale *= (float)t->lambda;
+		size *= (float)t->omega;
 		sum = vec3_mad(sum, size, noise_vector(vec3_scale(p, scale), generator));
 	}
 	return sum;
