@@ -7,9 +7,9 @@
 static const double DEFAULT_AMOUNT = 0.5;
 static const double DEFAULT_ACCURACY = 0.02;
 
-static Normal normal_initial(const Context *context)
+static Normal normal_initial(void)
 {
-	return (Normal){.kind = NORMAL_PATTERN, .pattern = build_pattern_none(context), .amount = DEFAULT_AMOUNT,
+	return (Normal){.kind = NORMAL_PATTERN, .pattern = build_pattern_none(), .amount = DEFAULT_AMOUNT,
 	                .bump_size = 1, .accuracy = DEFAULT_ACCURACY};
 }
 
@@ -25,7 +25,7 @@ static void take_list(Cursor *cursor, Normal *normal)
 		NormalEntry *entries = ARENA_ARRAY(arena, NormalEntry, most);
 		int count = build_normal_list(list, entries, most);
 		Normal *none = ARENA_NEW(arena, Normal);
-		*none = normal_initial(cursor->context);
+		*none = normal_initial();
 		for (int i = count; i < most; i++)
 			entries[i] = (NormalEntry){i, none};
 		normal->kind = NORMAL_LIST;
@@ -136,7 +136,7 @@ const Normal *build_normal_body(Cursor *cursor, const Normal *base)
 	if (named && cursor_at_end(cursor))
 		return named;
 	Normal *normal = ARENA_NEW(arena, Normal);
-	*normal = named ? *named : base ? *base : normal_initial(cursor->context);
+	*normal = named ? *named : base ? *base : normal_initial();
 	while (!cursor_at_end(cursor))
 		if (!take_item(cursor, normal))
 			cursor_unexpected(cursor);

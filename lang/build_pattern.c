@@ -16,14 +16,17 @@ bool build_version_before(const Context *context, double version)
 	return (context->version > 0 ? context->version : 3.62) < version - 1e-6;
 }
 
-Pattern build_pattern_none(const Context *context)
+Pattern build_pattern_none(void)
 {
-	Pattern pattern = {.frequency = 1, .exponent = 1};
-	pattern.noise_generator = context->builder->settings.noise_generator;
-	/* Scenes of versions before 3.5 that say nothing have the noise of their time. */
-	if (pattern.noise_generator == settings_default().noise_generator && build_version_before(context, 3.5))
-		pattern.noise_generator = 1;
-	return pattern;
+	return (Pattern){.frequency = 1, .exponent = 1};
+}
+
+/* Scenes of versions before 3.5 that say nothing have the noise of their time. */
+static int scene_noise(const Context *context)
+{
+	int generator = context->builder->settings.noise_generator;
+	bool unsaid = generator == settings_default().noise_generator;
+	return unsaid && build_version_before(context, 3.5) ? 1 : generator;
 }
 
 void *build_pattern_data(Context *context, Pattern *pattern, const void *defaults, size_t size)
@@ -349,12 +352,12 @@ static const PatternClass *find_class(Context *context, Word word, Location wher
 }
 
 /* Only the class changes and what it insists on: an identifier's waves and warps stay. */
-static void become(Pattern *pattern, const PatternClass *class)
+static void become(const Context *context, Pattern *pattern, const PatternClass *class)
 {
 	Pattern old = *pattern;
 	pattern_init(pattern, class);
 	pattern->warps = old.warps;
-	pattern->noise_generator = old.noise_generator;
+	pattern->noise_generator = old.noise_generator ? old.noise_generator : scene_noise(context);
 	pattern->phase = old.phase;
 	pattern->exponent = old.exponent;
 	if (pattern->frequency != 0)
@@ -373,7 +376,7 @@ bool build_accept_pattern(Cursor *cursor, Pattern *pattern)
 		cursor_next(cursor);
 		return true;
 	}
-	become(pattern, class);
+	become(cursor->context, pattern, class);
 	if (!row->own_word)
 		cursor_next(cursor);
 	if (row->parameters)
@@ -385,7 +388,7 @@ const Pattern *build_pattern_block(Context *context, const Node *block)
 {
 	Cursor cursor = cursor_begin(context, block);
 	Pattern *pattern = ARENA_NEW(context->builder->arena, Pattern);
-	*pattern = build_pattern_none(context);
+	*pattern = build_pattern_none();
 	if (!build_accept_pattern(&cursor, pattern))
 		cursor_expected(&cursor, "a pattern");
 	while (!cursor_at_end(&cursor))

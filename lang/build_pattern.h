@@ -10,8 +10,8 @@
 #include "lang/node.h"
 #include "surface/pattern.h"
 
-/* No class, no warps, the scene's noise. */
-Pattern build_pattern_none(const Context *context);
+/* No class and no warps. */
+Pattern build_pattern_none(void);
 /* Takes a pattern's word and its parameters if one is next: *pattern becomes of that class and keeps its warps. False when
  * none is next; a reported mistake counts as taken. */
 bool build_accept_pattern(Cursor *cursor, Pattern *pattern);

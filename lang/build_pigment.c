@@ -25,12 +25,8 @@ static void take_pigment_list(Cursor *cursor, Pigment *pigment, int most)
 	Arena *arena = cursor->context->builder->arena;
 	PigmentEntry *entries = ARENA_ARRAY(arena, PigmentEntry, most);
 	int count = build_pigment_list(cursor, entries, most);
-	for (int i = count; i < most; i++) {
-		Pigment *plain = ARENA_NEW(arena, Pigment);
-		*plain = (Pigment){.kind = PIGMENT_COLOR, .pattern = build_pattern_none(cursor->context),
-		                   .color = build_default_list_color(&pigment->pattern, i)};
-		entries[i] = (PigmentEntry){i, plain};
-	}
+	for (int i = count; i < most; i++)
+		entries[i] = (PigmentEntry){i, cursor->context->defaults.pigment};
 	pigment->kind = PIGMENT_LIST;
 	pigment->pigments = entries;
 	pigment->pigment_count = most;

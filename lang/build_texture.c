@@ -263,7 +263,7 @@ const Texture *build_texture_body(Cursor *cursor)
 		return named;
 	Texture *texture = copy_layers(context, named ? named : context->defaults.texture);
 	if (texture->kind == TEXTURE_PLAIN && !named)
-		texture->pattern = build_pattern_none(context);
+		texture->pattern = build_pattern_none();
 	while (!cursor_at_end(cursor))
 		if (!take_item(cursor, texture))
 			cursor_unexpected(cursor);
@@ -293,10 +293,10 @@ void build_texture_init(Context *context)
 	Pigment *pigment = ARENA_NEW(arena, Pigment);
 	Finish *finish = ARENA_NEW(arena, Finish);
 	Texture *texture = ARENA_NEW(arena, Texture);
-	*pigment = (Pigment){.kind = PIGMENT_COLOR, .pattern = build_pattern_none(context)};
+	*pigment = (Pigment){.kind = PIGMENT_COLOR, .pattern = build_pattern_none()};
 	*finish = finish_default();
 	*texture = (Texture){.kind = TEXTURE_PLAIN, .pigment = pigment, .finish = finish,
-	                     .pattern = build_pattern_none(context)};
+	                     .pattern = build_pattern_none()};
 	set_defaults(context, texture);
 }
 
