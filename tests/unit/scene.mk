@@ -2,3 +2,6 @@
 check_PROGRAMS += tests/unit/test_accel
 tests_unit_test_accel_SOURCES = tests/unit/test_accel.c tests/unit/check.h
 tests_unit_test_accel_LDADD = libscene.a libgeom.a libbase.a $(EMBREE_LIBS)
+check_PROGRAMS += tests/unit/test_camera
+tests_unit_test_camera_SOURCES = tests/unit/test_camera.c tests/unit/check.h
+tests_unit_test_camera_LDADD = libscene.a libsurface.a libgeom.a libimage.a libbase.a $(IMAGE_LIBS) $(FREETYPE_LIBS)
