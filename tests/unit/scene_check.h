@@ -62,14 +62,12 @@ static Object *scene_add_light(SceneBuilder *builder, const Light *light)
 
 static const void *scene_sphere(SceneBuilder *builder, Vec3 center, double radius)
 {
-	const char *error = NULL;
-	return sphere_create(builder->arena, center, radius, &error);
+	return sphere_create(builder->arena, center, radius);
 }
 
 static const void *scene_box(SceneBuilder *builder, Vec3 lo, Vec3 hi)
 {
-	const char *error = NULL;
-	return box_create(builder->arena, lo, hi, &error);
+	return box_create(builder->arena, lo, hi);
 }
 
 static const void *scene_plane(SceneBuilder *builder, Vec3 normal, double distance)
