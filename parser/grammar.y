@@ -23,7 +23,7 @@
 #include "lang/function.h"
 
 #define YYINITDEPTH 60
-#define YYMAXDEPTH 20000
+#define YYMAXDEPTH 4000
 #define YYLLOC_DEFAULT(result, right, count) ((result) = YYRHSLOC(right, (count) ? 1 : 0))
 
 static void reader_yyerror(Location *where, Reader *reader, const char *message);

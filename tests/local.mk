@@ -25,3 +25,13 @@ SAMPLES_FLAGS =
 check-povray: cognac$(EXEEXT) cognac-compare$(EXEEXT)
 	python3 $(srcdir)/tests/povray/samples.py --cognac ./cognac --compare ./cognac-compare $(SAMPLES_FLAGS)
 .PHONY: check-povray
+
+# Golden tests of error messages.
+check_SCRIPTS += tests/errors.sh
+EXTRA_DIST += tests/errors.sh tests/errors
+
+# How fast text is read, against POV-Ray.
+EXTRA_DIST += tests/bench/language.sh
+bench-language: cognac$(EXEEXT)
+	COGNAC=./cognac bash $(srcdir)/tests/bench/language.sh
+.PHONY: bench-language
