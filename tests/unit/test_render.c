@@ -163,6 +163,7 @@ static void build_busy(SceneBuilder *builder)
 	light.size1 = light.size2 = 5;
 	light.adaptive = 1;
 	scene_add_light(builder, &light);
+	builder->settings = settings_default();
 	builder->camera.aperture = 0.2;
 	builder->camera.focal_distance = 5;
 	builder->camera.blur_samples = 10;
