@@ -1,1 +1,1 @@
-# Scenes that come with the program.
+EXTRA_DIST += scenes/cognac.pov
