@@ -1,8 +1,7 @@
 # The programs.
 COGNAC_ROOMS = libparser.a liblang.a librender.a libscene.a liblight.a libsurface.a libgeom.a
 COGNAC_LIBS = $(EMBREE_LIBS) $(FREETYPE_LIBS) $(IMAGE_LIBS)
-EXTRA_PROGRAMS += cognac
-bin_PROGRAMS += cognac-compare
+bin_PROGRAMS += cognac cognac-compare
 noinst_LIBRARIES += libcli.a
 libcli_a_SOURCES = src/cli/animation.c src/cli/animation.h src/cli/frame.c src/cli/frame.h src/cli/ini.c \
 	src/cli/interrupt.c src/cli/interrupt.h src/cli/library.c src/cli/library.h src/cli/options.c \
