@@ -34,24 +34,17 @@ static void take_octaves(Cursor *cursor, Pattern *pattern)
 	put_classic(cursor, pattern, &t);
 }
 
-static float take_single(Cursor *cursor, float otherwise)
-{
-	double number = otherwise;
-	cursor_take_float(cursor, &number);
-	return (float)number;
-}
-
 static void take_omega(Cursor *cursor, Pattern *pattern)
 {
 	Turbulence t = warp_classic(pattern->warps);
-	t.omega = take_single(cursor, t.omega);
+	cursor_take_float(cursor, &t.omega);
 	put_classic(cursor, pattern, &t);
 }
 
 static void take_lambda(Cursor *cursor, Pattern *pattern)
 {
 	Turbulence t = warp_classic(pattern->warps);
-	t.lambda = take_single(cursor, t.lambda);
+	cursor_take_float(cursor, &t.lambda);
 	put_classic(cursor, pattern, &t);
 }
 

@@ -4,13 +4,6 @@
 #include "lang/build_pattern.h"
 #include "surface/warp.h"
 
-static float take_single(Cursor *cursor, float otherwise)
-{
-	double number = otherwise;
-	cursor_take_float(cursor, &number);
-	return (float)number;
-}
-
 static void take_turbulence(Cursor *cursor, Warp *warp)
 {
 	Turbulence t = turbulence_default();
@@ -20,9 +13,9 @@ static void take_turbulence(Cursor *cursor, Warp *warp)
 		if (cursor_accept_word(cursor, W_octaves))
 			cursor_take_float(cursor, &octaves);
 		else if (cursor_accept_word(cursor, W_omega))
-			t.omega = take_single(cursor, t.omega);
+			cursor_take_float(cursor, &t.omega);
 		else if (cursor_accept_word(cursor, W_lambda))
-			t.lambda = take_single(cursor, t.lambda);
+			cursor_take_float(cursor, &t.lambda);
 		else
 			break;
 	}

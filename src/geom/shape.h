@@ -107,6 +107,7 @@ struct Shape {
 	const Shape *const *bound;  /* bounded_by: a ray that misses all of one of these misses the shape */
 	int bound_count;
 	Box3 box;                   /* world bounds (clip included); infinite sides where unbounded */
+	bool part;                  /* of a CSG: a crossing of this shape alone says nothing */
 	const void *owner;          /* what the scene attached to a primitive: its Surface. Opaque here */
 };
 

@@ -27,7 +27,7 @@ static bool visit_shadow(void *data, const Ray *ray, const Hit *hit)
 		search->hits[search->count++] = *hit;
 		return false;
 	}
-	search->blocker = hit->shape;
+	search->blocker = hit->shape->part ? NULL : hit->shape;
 	return true;
 }
 

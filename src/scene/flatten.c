@@ -35,6 +35,7 @@ typedef struct State {
 	Surface surface;
 	const Surface *made;    /* the surface in the arena, once a primitive needed it */
 	bool inverted;
+	bool part;              /* inside a CSG */
 	const Shape *const *clip; int clip_count;
 	const Shape *const *bound; int bound_count;
 } State;
@@ -179,6 +180,7 @@ static void emit_primitive(Flatten *flatten, const Object *object, State *state,
 	Shape *shape = new_shape(flatten, object->class, object->data);
 	shape->transform = keep_transform(flatten->arena, &state->world);
 	shape->inverted = state->inverted;
+	shape->part = state->part;
 	if (flatten->surfaces) {
 		if (object->texture_count) {
 			state->surface.textures = object->textures;
@@ -216,6 +218,7 @@ static void emit_csg(Flatten *flatten, const Object *object, State *state, List 
 	State inner = *state;
 	List members = {0};
 	inner.clip_count = inner.bound_count = 0;
+	inner.part = true;
 	for (int i = 0; i < object->child_count; i++) {
 		inner.inverted = state->inverted != (object->kind == OBJECT_DIFFERENCE && i > 0);
 		const Shape *member = single_shape(flatten, object->children[i], &inner);
