@@ -19,7 +19,7 @@ const Function *function_internal_find(Arena *arena, int number, int noise_gener
 {
 	const InternalFunction *const families[] = {
 		function_internal_shapes, function_internal_curves, function_internal_algebra, function_internal_blobs,
-		function_internal_noise,
+		function_internal_plane, function_internal_noise,
 	};
 	for (size_t i = 0; i < sizeof families / sizeof families[0]; i++) {
 		const InternalFunction *row = find_in(families[i], number);

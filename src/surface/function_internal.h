@@ -17,8 +17,9 @@ typedef struct InternalFunction {
 
 /* Each ends with a row whose eval is NULL. */
 extern const InternalFunction function_internal_shapes[];  /* distances and simple solids */
-extern const InternalFunction function_internal_curves[];  /* helixes, spirals, tubes, meshes */
+extern const InternalFunction function_internal_curves[];  /* helixes, spirals, tubes, weaves, hexagons */
 extern const InternalFunction function_internal_algebra[]; /* algebraic surfaces */
+extern const InternalFunction function_internal_plane[];   /* plane curves, extruded or swept */
 extern const InternalFunction function_internal_blobs[];   /* sums of exponentials */
 extern const InternalFunction function_internal_noise[];   /* noise and fractals; data is the default generator, an int */
 

@@ -11,10 +11,16 @@ static double noise3d(const void *data, const double *a)
 	return noise_value(vec3(a[0], a[1], a[2]), *(const int *)data);
 }
 
+/* 1, 2 or 3; anything else means 1. */
+static int generator_number(double x)
+{
+	return x >= 2 && x < 4 ? (int)x : 1;
+}
+
 static double noise_generator(const void *data, const double *a)
 {
 	(void)data;
-	return noise_value(vec3(a[0], a[1], a[2]), (int)a[3]);
+	return noise_value(vec3(a[0], a[1], a[2]), generator_number(a[3]));
 }
 
 static double limit_octaves(double octaves)
@@ -24,7 +30,7 @@ static double limit_octaves(double octaves)
 
 static double signed_noise(Vec3 p, double generator)
 {
-	return 2 * noise_value(p, (int)generator) - 1;
+	return 2 * noise_value(p, generator_number(generator)) - 1;
 }
 
 static double whole_power(double base, double exponent)
@@ -75,11 +81,12 @@ static double ridged_mf(const void *data, const double *a)
 	return value;
 }
 
-/* Noise folded so that it is 1 at 0, 0 at the ridge and falls below 0 past it. */
+/* Noise folded at the ridge, where it is 1, and turned over: 1 where the fold gives 0, 0 where it gives 1 - offset. */
 static double folded(Vec3 p, double offset, double ridge, double generator)
 {
-	double n = noise_value(p, (int)generator), zero = ridge * (1 - offset);
-	return n < zero ? (zero - n) / zero : (zero - n) / (ridge * offset);
+	double n = noise_value(p, generator_number(generator));
+	n = n < ridge ? n / ridge : (1 - n) / (1 - ridge);
+	return (1 - offset - n) / fmax(offset, 1 - offset);
 }
 
 /* The weighted mean of octaves of folded noise. Parameters: lambda, octaves, omega, offset, ridge, generator. */

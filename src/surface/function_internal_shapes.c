@@ -52,12 +52,13 @@ static double torus(const void *data, const double *a)
 	return sqrt(ring * ring + a[1] * a[1]) - a[4];
 }
 
-/* Field strength, major and minor radius: the torus' distance, scaled. */
+/* Field strength, major and minor radius: the torus' polynomial. */
 static double torus2(const void *data, const double *a)
 {
 	(void)data;
-	double ring = sqrt(a[0] * a[0] + a[2] * a[2]) - a[4];
-	return function_internal_limit(-a[3] * (a[5] - sqrt(ring * ring + a[1] * a[1])));
+	double ring = a[0] * a[0] + a[2] * a[2], major = a[4] * a[4], minor = a[5] * a[5];
+	double s = ring + a[1] * a[1] + major - minor;
+	return function_internal_limit(-a[3] * (s * s - 4 * major * ring));
 }
 
 /* Edge radius, half extents. POV-Ray's is 1e-6 below the distance. */

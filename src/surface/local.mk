@@ -20,4 +20,4 @@ libsurface_a_SOURCES += src/surface/function.c src/surface/function_code.h src/s
 	src/surface/function_program.h src/surface/function_natives.c src/surface/function_natives.h \
 	src/surface/function_internal.c src/surface/function_internal.h src/surface/function_internal_shapes.c \
 	src/surface/function_internal_curves.c src/surface/function_internal_algebra.c \
-	src/surface/function_internal_blobs.c src/surface/function_internal_noise.c
+	src/surface/function_internal_plane.c src/surface/function_internal_blobs.c src/surface/function_internal_noise.c
