@@ -150,6 +150,7 @@ const Rainbow *build_rainbow(Context *context, const Node *block)
 			cursor_unexpected(&cursor);
 	if (map)
 		rainbow.pigment = gradient_pigment(context, map);
+	rainbow.antisolar = vec3_normalize(rainbow.direction);
 	if (vec3_length2(rainbow.direction) == 0 || !rainbow.pigment || rainbow.width == 0)
 		diag_error(context->diag, block->where, "a rainbow needs a direction, a width and a color_map");
 	return arena_copy(context->builder->arena, &rainbow, sizeof rainbow);

@@ -82,7 +82,8 @@ static bool read_file(Cursor *cursor, HeightFieldDesc *desc)
 	return true;
 }
 
-/* function columns, rows { ... }: the function, then the numbers. Sampled over the unit square of x and y. */
+/* function columns, rows { ... }: the function, then the numbers. Sampled over the unit square, whose y falls as z
+ * rises: the function is an image there. */
 static bool read_function(Cursor *outer, const Node *block, HeightFieldDesc *desc)
 {
 	Cursor inside = cursor_begin(outer->context, block), *cursor = &inside;
@@ -99,7 +100,7 @@ static bool read_function(Cursor *outer, const Node *block, HeightFieldDesc *des
 	float *heights = ARENA_ARRAY(cursor->context->builder->arena, float, (size_t)desc->width * (size_t)desc->depth);
 	for (int z = 0; z < desc->depth; z++)
 		for (int x = 0; x < desc->width; x++) {
-			double args[3] = {(double)x / (desc->width - 1), (double)z / (desc->depth - 1), 0};
+			double args[3] = {(double)x / (desc->width - 1), 1 - (double)z / (desc->depth - 1), 0};
 			double height = function_eval(function, args);
 			heights[(size_t)z * (size_t)desc->width + (size_t)x] = (float)fmin(fmax(height, 0), 1);
 		}

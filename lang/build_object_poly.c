@@ -7,9 +7,13 @@ static Arena *scene_arena(const Cursor *cursor) { return cursor->context->builde
 
 bool build_quadric(Cursor *cursor, Object *object)
 {
-	double coefficients[10];
-	if (!cursor_take_floats(cursor, coefficients, 10))
+	Vec3 square, mixed, linear;
+	double constant;
+	if (!cursor_take_vec3(cursor, &square) || !cursor_take_vec3(cursor, &mixed) ||
+	    !cursor_take_vec3(cursor, &linear) || !cursor_take_float(cursor, &constant))
 		return false;
+	const double coefficients[10] = {square.x, square.y, square.z, mixed.x, mixed.y,
+	                                 mixed.z, linear.x, linear.y, linear.z, constant};
 	return build_shape_set(cursor, object, &quadric_class, quadric_create(scene_arena(cursor), coefficients), NULL);
 }
 
