@@ -3,6 +3,7 @@
  *
  * The wave shaping is POV-Ray's as measured through function { pattern { } }: the value times frequency plus phase is taken
  * modulo 1.00001 (not 1, so that exactly 1 stays 1), negative values are lifted by whole numbers, then the wave applies.
+ * Frequency and phase are single precision.
  */
 #include "surface/pattern.h"
 
@@ -55,12 +56,17 @@ double pattern_cycloid(double value)
 	return value >= 0 ? sin((value - floor(value)) * turn) : -sin((-value - floor(-value)) * turn);
 }
 
+double pattern_triangle_wave(double value)
+{
+	value -= floor(value);
+	return value >= 0.5 ? 2 * (1 - value) : 2 * value;
+}
+
 static double wave_apply(WaveType wave, double exponent, double v)
 {
 	switch (wave) {
 	case WAVE_TRIANGLE:
-		v -= floor(v);
-		return v >= 0.5 ? 2 * (1 - v) : 2 * v;
+		return pattern_triangle_wave(v);
 	case WAVE_SINE:
 		return (1 + pattern_cycloid(v)) * 0.5;
 	case WAVE_SCALLOP:
@@ -95,7 +101,7 @@ double pattern_value_unwarped(const Pattern *pattern, const SurfacePoint *at)
 	if (pattern->class->list > 0)
 		return v;
 	if (pattern->frequency != 0)
-		v = fmod(v * pattern->frequency + pattern->phase, 1.00001);
+		v = fmod(v * (float)pattern->frequency + (float)pattern->phase, 1.00001);
 	if (v < 0)
 		v -= floor(v);
 	return wave_apply(pattern->wave, pattern->exponent, v);

@@ -16,20 +16,19 @@ static double value_checker(const Pattern *pattern, const SurfacePoint *at)
 
 static double fraction(double v) { return v - floor(v); }
 
-/* Courses along y; every other one is shifted by half a brick. 0 is mortar. */
+/* Courses along y; every other one is shifted by half a brick. Mortar, 0, ends a brick on each axis. */
 static double value_brick(const Pattern *pattern, const SurfacePoint *at)
 {
 	static const BrickData usual = {{8, 3, 4.5}, 0.5};
 	const BrickData *brick = pattern->data ? pattern->data : &usual;
-	double mortar = brick->mortar - block_epsilon;
 	double course = at->p.y / brick->size.y;
-	if (fraction(course) <= mortar / brick->size.y)
+	if (fraction(course) >= 1 - brick->mortar / brick->size.y)
 		return 0;
-	bool odd = fraction(course / 2) > 0.5;
+	bool odd = fmod(floor(course), 2) != 0;
 	double x = at->p.x / brick->size.x, z = at->p.z / brick->size.z;
-	if (fraction(odd ? x + 0.5 : x) <= mortar / brick->size.x)
+	if (fraction(odd ? x + 0.5 : x) >= 1 - brick->mortar / brick->size.x)
 		return 0;
-	return fraction(odd ? z : z + 0.5) <= mortar / brick->size.z ? 0 : 1;
+	return fraction(odd ? z : z + 0.5) >= 1 - brick->mortar / brick->size.z ? 0 : 1;
 }
 
 static double value_cubic(const Pattern *pattern, const SurfacePoint *at)

@@ -25,6 +25,8 @@ extern const PatternClass pattern_function, pattern_image, pattern_density_file,
 
 /* The sine of a whole turn per unit. */
 double pattern_cycloid(double value);
+/* Up from 0 to 1 and down again per unit. */
+double pattern_triangle_wave(double value);
 /* The noise generator to use: the pattern's or the default. */
 int pattern_generator(const Pattern *pattern);
 

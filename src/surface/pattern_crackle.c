@@ -23,8 +23,8 @@ static double value_cells(const Pattern *pattern, const SurfacePoint *at)
 	return noise_cube_random(cube_of(at->p)).x;
 }
 
-/* The three nearest points: distances (squared for the common metrics) and the random number of the nearest one's cube. */
-typedef struct Nearest { double distance[3], random; } Nearest;
+/* The three nearest points: distances, before the root of the metric, and where the nearest one is. */
+typedef struct Nearest { double distance[3]; Vec3 point; } Nearest;
 
 static double metric_distance(Vec3 d, double metric)
 {
@@ -37,8 +37,8 @@ static double metric_distance(Vec3 d, double metric)
 
 static void nearest_add(Nearest *n, Vec3 p, Vec3 cube, double metric)
 {
-	Vec3 random = noise_cube_random(cube);
-	double distance = metric_distance(vec3_sub(p, vec3_add(cube, random)), metric);
+	Vec3 point = vec3_add(cube, noise_cube_random(cube));
+	double distance = metric_distance(vec3_sub(p, point), metric);
 	if (distance >= n->distance[2])
 		return;
 	int place = 2;
@@ -46,7 +46,7 @@ static void nearest_add(Nearest *n, Vec3 p, Vec3 cube, double metric)
 		n->distance[place] = n->distance[place - 1];
 	n->distance[place] = distance;
 	if (place == 0)
-		n->random = random.x;
+		n->point = point;
 }
 
 /* How far, by the metric, the cube with the given offset along each axis is from a place in the middle cube. */
@@ -65,7 +65,7 @@ static bool cube_is_searched(int i, int j, int k)
 
 static Nearest nearest_find(Vec3 p, double metric)
 {
-	Nearest n = {{HUGE_VAL, HUGE_VAL, HUGE_VAL}, 0};
+	Nearest n = {{HUGE_VAL, HUGE_VAL, HUGE_VAL}, p};
 	Vec3 middle = cube_of(p), place = vec3_sub(p, middle);
 	for (int i = -1; i <= 1; i++)
 		for (int j = -1; j <= 1; j++)
@@ -92,7 +92,7 @@ static double value_crackle(const Pattern *pattern, const SurfacePoint *at)
 	const CrackleData *crackle = pattern->data ? pattern->data : &usual;
 	Nearest n = nearest_find(at->p, crackle->metric);
 	if (crackle->solid)
-		return n.random;
+		return noise_value(n.point, pattern_generator(pattern));
 	double d[3];
 	for (int i = 0; i < 3; i++)
 		d[i] = unpower(n.distance[i] + crackle->offset * crackle->offset, crackle->metric);

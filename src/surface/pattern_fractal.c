@@ -70,6 +70,8 @@ static double interior_value(const FractalData *f, double nearest, Complex z)
 		return f->interior_factor;
 	case 1:
 		return sqrt(nearest) * f->interior_factor;
+	case 6: /* not what the manual says */
+		return z.r * z.r + z.i * z.i * f->interior_factor;
 	default:
 		return orbit_part(f->interior, z) * f->interior_factor;
 	}
@@ -120,19 +122,17 @@ static Complex magnet2_step(Complex z, Complex c)
 	return complex_power(complex_div(above, below), 2);
 }
 
-/* Left when |z| > 100; an orbit that comes to 1, the attractor, is inside. */
+/* Left when |z| > 100, or when the orbit comes to the attractor 1. */
 static double magnet_fractal(const FractalData *f, Complex (*step)(Complex, Complex), Complex z, Complex c)
 {
-	double nearest = complex_norm(z);
+	double nearest = z.r == 0 && z.i == 0 ? HUGE_VAL : complex_norm(z);
 	for (int n = 0; n < f->iterations; n++) {
 		z = step(z, c);
 		double norm = complex_norm(z);
 		if (norm < nearest)
 			nearest = norm;
-		if (norm > 10000 || !isfinite(norm))
+		if (norm > 10000 || complex_norm((Complex){z.r - 1, z.i}) < 1e-4 || !isfinite(norm))
 			return exterior_value(f, n, z);
-		if (complex_norm((Complex){z.r - 1, z.i}) < 1e-4)
-			break;
 	}
 	return interior_value(f, nearest, z);
 }
@@ -154,9 +154,9 @@ static double value_magnet2m(const Pattern *p, const SurfacePoint *at) { return 
 static double value_magnet1j(const Pattern *p, const SurfacePoint *at) { return magnet_julia(p, at, magnet1_step); }
 static double value_magnet2j(const Pattern *p, const SurfacePoint *at) { return magnet_julia(p, at, magnet2_step); }
 
-const PatternClass pattern_mandel = {"mandel", value_mandel, 0, NULL, PATTERN_STILL};
-const PatternClass pattern_julia = {"julia", value_julia, 0, NULL, PATTERN_STILL | PATTERN_NEEDS_DATA};
-const PatternClass pattern_magnet1m = {"magnet1m", value_magnet1m, 0, NULL, PATTERN_STILL};
-const PatternClass pattern_magnet1j = {"magnet1j", value_magnet1j, 0, NULL, PATTERN_STILL | PATTERN_NEEDS_DATA};
-const PatternClass pattern_magnet2m = {"magnet2m", value_magnet2m, 0, NULL, PATTERN_STILL};
-const PatternClass pattern_magnet2j = {"magnet2j", value_magnet2j, 0, NULL, PATTERN_STILL | PATTERN_NEEDS_DATA};
+const PatternClass pattern_mandel = {"mandel", value_mandel, 0, NULL, 0};
+const PatternClass pattern_julia = {"julia", value_julia, 0, NULL, PATTERN_NEEDS_DATA};
+const PatternClass pattern_magnet1m = {"magnet1m", value_magnet1m, 0, NULL, 0};
+const PatternClass pattern_magnet1j = {"magnet1j", value_magnet1j, 0, NULL, PATTERN_NEEDS_DATA};
+const PatternClass pattern_magnet2m = {"magnet2m", value_magnet2m, 0, NULL, 0};
+const PatternClass pattern_magnet2j = {"magnet2j", value_magnet2j, 0, NULL, PATTERN_NEEDS_DATA};

@@ -27,14 +27,19 @@ static void bump_dents(const Pattern *pattern, const SurfacePoint *at, double am
 	*normal = vec3_mad(*normal, v * amount, noise_vector(at->p, pattern_generator(pattern)));
 }
 
+/* Noise with the narrower range of generators 2 and 3 stretched. */
+static double stretched_noise(Vec3 p, int generator)
+{
+	double v = noise_value(p, generator);
+	return generator == 1 ? v : fmax(0, fmin(1, 2 * v - 0.5));
+}
+
 static double value_wrinkles(const Pattern *pattern, const SurfacePoint *at)
 {
 	int generator = pattern_generator(pattern);
-	double sum = noise_value(at->p, generator), scale = 1;
-	for (int i = 1; i < 10; i++) {
-		scale *= 2;
-		sum += noise_value(vec3_scale(at->p, scale), generator) / scale;
-	}
+	double sum = 0, scale = 1;
+	for (int i = 0; i < 10; i++, scale *= 2)
+		sum += stretched_noise(vec3_scale(at->p, scale), generator) / scale;
 	return sum / 2;
 }
 
@@ -56,7 +61,7 @@ static double value_granite(const Pattern *pattern, const SurfacePoint *at)
 	double sum = 0, scale = 1;
 	for (int i = 0; i < 6; i++, scale *= 2) {
 		double v = fabs(0.5 - noise_value(vec3_scale(at->p, 4 * scale), generator));
-		sum += (generator == 1 ? v : v > 0.5 ? 0.5 : v) / scale;
+		sum += (generator == 1 ? v : fmin(2 * v, 0.5)) / scale;
 	}
 	return sum;
 }
@@ -66,7 +71,7 @@ static double value_agate(const Pattern *pattern, const SurfacePoint *at)
 	const AgateData *data = pattern->data;
 	const Turbulence *classic = warp_find_classic(pattern->warps);
 	Turbulence turbulence = classic ? *classic : turbulence_default();
-	double stir = (data ? data->turbulence : 1) * turbulence_value(at->p, &turbulence, pattern_generator(pattern));
+	double stir = (data ? (float)data->turbulence : 1) * turbulence_value(at->p, &turbulence, pattern_generator(pattern));
 	double v = 0.5 * (pattern_cycloid(1.3 * stir + 1.1 * at->p.z) + 1);
 	return v <= 0 ? 0 : pow(v < 1 ? v : 1, 0.77);
 }
@@ -98,6 +103,6 @@ const PatternClass pattern_spotted = {"spotted", value_bozo, 0, NULL, 0};
 const PatternClass pattern_dents = {"dents", value_dents, 0, bump_dents, 0};
 const PatternClass pattern_wrinkles = {"wrinkles", value_wrinkles, 0, bump_wrinkles, 0};
 const PatternClass pattern_granite = {"granite", value_granite, 0, NULL, 0};
-const PatternClass pattern_agate = {"agate", value_agate, 0, NULL, PATTERN_OWN_TURBULENCE};
+const PatternClass pattern_agate = {"agate", value_agate, 0, NULL, 0};
 const PatternClass pattern_marble = {"marble", value_marble, 0, NULL, PATTERN_OWN_TURBULENCE | PATTERN_TRIANGLE};
 const PatternClass pattern_wood = {"wood", value_wood, 0, NULL, PATTERN_OWN_TURBULENCE | PATTERN_TRIANGLE};

@@ -56,7 +56,7 @@ static double value_radial(const Pattern *pattern, const SurfacePoint *at)
 static double value_onion(const Pattern *pattern, const SurfacePoint *at)
 {
 	(void)pattern;
-	return vec3_length(at->p);
+	return fmod(vec3_length(at->p), 1);
 }
 
 static double value_leopard(const Pattern *pattern, const SurfacePoint *at)
@@ -66,18 +66,16 @@ static double value_leopard(const Pattern *pattern, const SurfacePoint *at)
 	return v * v;
 }
 
-/* Distance from the z axis, turn about it in [0, 1), and the pattern's own turbulence. */
+/* Distance from the z axis, turns about it from -y through +x, and the pattern's own turbulence. */
 typedef struct Screw { double radius, turn, turbulence; } Screw;
 
 static Screw screw_at(const Pattern *pattern, Vec3 p)
 {
 	Screw s = {sqrt(p.x * p.x + p.y * p.y), 0, 0};
-	double angle = 0;
-	if (p.x == 0 && p.y == 0)
-		angle = 0;
-	else
-		angle = p.y < 0 ? 2 * M_PI - acos(p.x / s.radius) : acos(p.x / s.radius);
-	s.turn = angle / (2 * M_PI);
+	if (s.radius > 0)
+		s.turn = atan2(p.y, p.x) / (2 * M_PI) + 0.25;
+	if (s.turn < 0)
+		s.turn += 1;
 	const Turbulence *turbulence = warp_find_classic(pattern->warps);
 	if (turbulence)
 		s.turbulence = turbulence->amount.x * turbulence_value(p, turbulence, pattern_generator(pattern));
@@ -95,7 +93,8 @@ static double value_spiral2(const Pattern *pattern, const SurfacePoint *at)
 {
 	const SpiralData *data = pattern->data;
 	Screw s = screw_at(pattern, at->p);
-	return at->p.z + s.radius + data->arms * s.turn + s.turbulence;
+	double screw = at->p.z + s.radius + data->arms * s.turn + s.turbulence;
+	return pattern_triangle_wave(s.radius) + pattern_triangle_wave(screw);
 }
 
 /* The gouge between quilts: a cubic whose ends the two controls bend. */
@@ -110,14 +109,14 @@ static Vec3 quilt_vector(const Pattern *pattern, Vec3 p)
 {
 	const QuiltedData *data = pattern->data;
 	Vec3 v = vec3(p.x - floor(p.x) - 0.5, p.y - floor(p.y) - 0.5, p.z - floor(p.z) - 0.5);
-	double t = quilt_slope(vec3_length(v), data ? data->control0 : 1, data ? data->control1 : 1);
+	double t = quilt_slope(vec3_length(v), data ? (float)data->control0 : 1, data ? (float)data->control1 : 1);
 	return vec3_scale(v, t);
 }
 
 static double value_quilted(const Pattern *pattern, const SurfacePoint *at)
 {
 	Vec3 v = quilt_vector(pattern, at->p);
-	return (fabs(v.x) + fabs(v.y) + fabs(v.z)) / 3;
+	return (fabs(v.x) + fabs(v.y) + fabs(v.z)) * 2 / (3 * sqrt(3));
 }
 
 static void bump_quilted(const Pattern *pattern, const SurfacePoint *at, double amount, Vec3 *normal)
@@ -135,7 +134,7 @@ const PatternClass pattern_radial = {"radial", value_radial, 0, NULL, 0};
 const PatternClass pattern_onion = {"onion", value_onion, 0, NULL, 0};
 const PatternClass pattern_leopard = {"leopard", value_leopard, 0, NULL, 0};
 const PatternClass pattern_spiral1 = {"spiral1", value_spiral1, 0, NULL,
-	PATTERN_OWN_TURBULENCE | PATTERN_TRIANGLE | PATTERN_NEEDS_DATA};
+	PATTERN_TRIANGLE | PATTERN_NEEDS_DATA};
 const PatternClass pattern_spiral2 = {"spiral2", value_spiral2, 0, NULL,
-	PATTERN_OWN_TURBULENCE | PATTERN_TRIANGLE | PATTERN_NEEDS_DATA};
+	PATTERN_TRIANGLE | PATTERN_NEEDS_DATA};
 const PatternClass pattern_quilted = {"quilted", value_quilted, 0, bump_quilted, 0};

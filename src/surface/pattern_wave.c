@@ -68,7 +68,7 @@ static double value_ripples(const Pattern *pattern, const SurfacePoint *at)
 	double sum = 0;
 	for (int i = 0; i < waves.count; i++) {
 		double length = wave_distance(vec3_sub(at->p, waves.sources[i]));
-		sum += pattern_cycloid(length * pattern->frequency + pattern->phase);
+		sum += pattern_cycloid(length * (float)pattern->frequency + (float)pattern->phase);
 	}
 	return 0.5 * (1 + sum / waves.count);
 }
@@ -80,7 +80,7 @@ static double value_waves(const Pattern *pattern, const SurfacePoint *at)
 	double sum = 0;
 	for (int i = 0; i < waves.count; i++) {
 		double length = wave_distance(vec3_sub(at->p, waves.sources[i])), f = waves.frequencies[i];
-		sum += pattern_cycloid(length * pattern->frequency * f + pattern->phase) / f;
+		sum += pattern_cycloid(length * (float)pattern->frequency * f + (float)pattern->phase) / f;
 	}
 	return 0.2 * (2.5 + sum / waves.count);
 }
@@ -92,7 +92,7 @@ static void bump_ripples(const Pattern *pattern, const SurfacePoint *at, double 
 	for (int i = 0; i < waves.count; i++) {
 		Vec3 offset = vec3_sub(at->p, waves.sources[i]);
 		double length = wave_distance(offset);
-		double push = amount * pattern_cycloid(length * pattern->frequency + pattern->phase);
+		double push = amount * pattern_cycloid(length * (float)pattern->frequency + (float)pattern->phase);
 		*normal = vec3_mad(*normal, push / length / waves.count, offset);
 	}
 }
@@ -104,7 +104,7 @@ static void bump_waves(const Pattern *pattern, const SurfacePoint *at, double am
 	for (int i = 0; i < waves.count; i++) {
 		Vec3 offset = vec3_sub(at->p, waves.sources[i]);
 		double length = wave_distance(offset), f = waves.frequencies[i];
-		double push = amount * pattern_cycloid(length * pattern->frequency * f + pattern->phase) / f;
+		double push = amount * pattern_cycloid(length * (float)pattern->frequency * f + (float)pattern->phase) / f;
 		*normal = vec3_mad(*normal, push / length / waves.count, offset);
 	}
 }
