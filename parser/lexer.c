@@ -350,14 +350,15 @@ int lexer_fetch(Reader *reader, Semantic *value, Location *where)
 	if (reader->has_ahead)
 		return take_ahead(reader, value, where);
 	while (!reader->stopped && !diag_is_full(reader->context.diag) && !interrupted(reader)) {
-		Source *source = source_top(reader);
-		*where = source_here(reader);
+		Source *source = &reader->sources[reader->source_count - 1];
 		if (source->position >= source->end) {
+			*where = source_here(reader);
 			if (!leave_source(reader))
 				return READER_YYEOF;
 			continue;
 		}
 		const Token *token = &source->file->tokens[source->position];
+		*where = (Location){source->file->source, token->offset, source->via};
 		if (frame_ends_before(reader, token))
 			return READER_YYEOF;
 		source->position++;
