@@ -160,13 +160,13 @@ static void build_busy(SceneBuilder *builder)
 	light.area = light.jitter = true;
 	light.axis1 = vec3(2, 0, 0);
 	light.axis2 = vec3(0, 0, 2);
-	light.size1 = light.size2 = 5;
+	light.size1 = light.size2 = 3;
 	light.adaptive = 1;
 	scene_add_light(builder, &light);
 	builder->settings = settings_default();
 	builder->camera.aperture = 0.2;
 	builder->camera.focal_distance = 5;
-	builder->camera.blur_samples = 10;
+	builder->camera.blur_samples = 4;
 }
 
 static Film *render_busy(Diag *diag, RenderOptions options, int threads)
@@ -174,7 +174,7 @@ static Film *render_busy(Diag *diag, RenderOptions options, int threads)
 	SceneBuilder builder = scene_start(diag);
 	build_busy(&builder);
 	parallel_set_threads(threads);
-	return render_scene(&builder, &options, 70, 50);
+	return render_scene(&builder, &options, 44, 36);
 }
 
 static void check_same(const Film *a, const Film *b, FilmRect rect)
@@ -196,13 +196,13 @@ static void check_threads(Diag *diag)
 		options.sampling_method = method;
 		options.threshold = 0.05;
 		Film *one = render_busy(diag, options, 1), *many = render_busy(diag, options, 5);
-		check_same(one, many, (FilmRect){0, 0, 70, 50});
-		CHECK(film_is_final(one, 69, 49));
-		options.region = (FilmRect){20, 10, 61, 43};
+		check_same(one, many, (FilmRect){0, 0, 44, 36});
+		CHECK(film_is_final(one, 43, 35));
+		options.region = (FilmRect){10, 10, 41, 34};
 		if (method != 2) { /* method 2 shares corners of whole tiles only */
 			Film *part = render_busy(diag, options, 3);
 			check_same(one, part, options.region);
-			CHECK(!film_is_started(part, 19, 20) && !film_is_started(part, 30, 43));
+			CHECK(!film_is_started(part, 9, 20) && !film_is_started(part, 30, 34));
 			film_destroy(part);
 		}
 		film_destroy(one);
@@ -219,16 +219,16 @@ static void check_stop_and_resume(Diag *diag)
 	SceneBuilder builder = scene_start(diag);
 	build_busy(&builder);
 	Scene *scene = scene_freeze(&builder);
-	Film *film = film_create(70, 50, ~0u >> (32 - FILM_LAYER_COUNT));
+	Film *film = film_create(44, 36, ~0u >> (32 - FILM_LAYER_COUNT));
 	int stop = 1;
 	RenderCallbacks callbacks = {.stop = &stop};
 	CHECK(render_image(scene, &options, film, &callbacks, NULL) == RENDER_STOPPED);
 	RenderOptions top = options;
-	top.region = (FilmRect){0, 0, 70, 21};
+	top.region = (FilmRect){0, 0, 44, 21};
 	CHECK(render_image(scene, &top, film, NULL, NULL) == RENDER_DONE);
 	CHECK(film_is_final(film, 5, 20) && !film_is_final(film, 5, 21));
 	CHECK(render_image(scene, &options, film, NULL, NULL) == RENDER_DONE);
-	check_same(whole, film, (FilmRect){0, 0, 70, 50});
+	check_same(whole, film, (FilmRect){0, 0, 44, 36});
 	film_destroy(film);
 	film_destroy(whole);
 	scene_destroy(scene);
