@@ -1,9 +1,10 @@
 /*
  * Real roots of polynomials on an interval. A polynomial of degree n is c[0] + c[1] t + ... + c[n] t^n.
  *
- * Roots are isolated by the critical points, found by the same method from the derivative, down to a quadratic; each
- * monotone piece with a change of sign holds one root, which a Newton iteration kept inside its bracket finds to
- * machine precision. (The idea: Yuksel 2022, "High-Performance Polynomial Root Finding for Graphics".)
+ * On a bounded interval roots are isolated by Descartes' rule of signs for Bernstein coefficients and a few halvings. Where that
+ * does not decide, and on unbounded intervals, by the critical points, found by the same method from the derivative, down to a
+ * quadratic: each monotone piece with a change of sign holds one root (the idea: Yuksel 2022, "High-Performance Polynomial Root
+ * Finding for Graphics"). A Newton iteration kept inside its bracket finds the root to machine precision.
  */
 #ifndef GEOM_POLYNOMIAL_H
 #define GEOM_POLYNOMIAL_H
