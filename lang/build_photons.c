@@ -273,6 +273,18 @@ void build_photons_object(Context *context, const Node *block, Object *object)
 	}
 }
 
+/* How many paths the light sends beside the others; 0 none. */
+static void take_share(Context *context, Cursor *cursor, const Node *block, Light *light)
+{
+	double share;
+	if (!cursor_take_float(cursor, &share))
+		return;
+	if (share >= 0)
+		light->photons_share = share;
+	else
+		diag_error(context->diag, block->where, "a light's share of photons cannot be negative");
+}
+
 void build_photons_light(Context *context, const Node *block, Light *light)
 {
 	Cursor cursor = cursor_begin(context, block);
@@ -283,6 +295,8 @@ void build_photons_light(Context *context, const Node *block, Light *light)
 			light->photons_reflection = cursor_optional_bool(&cursor);
 		else if (cursor_accept_word(&cursor, W_area_light))
 			light->photons_area = cursor_optional_bool(&cursor);
+		else if (cursor_accept_word(&cursor, W_share))
+			take_share(context, &cursor, block, light);
 		else
 			cursor_unexpected(&cursor);
 	}

@@ -9,7 +9,7 @@ Light light_default(void)
 	return (Light){
 		.kind = LIGHT_POINT, .color = {1, 1, 1}, .point_at = {0, 0, 1},
 		.adaptive = -1, .media_interaction = true, .media_attenuation = false,
-		.photons_refraction = true, .photons_reflection = true,
+		.photons_refraction = true, .photons_reflection = true, .photons_share = 1,
 	};
 }
 

@@ -27,6 +27,7 @@ typedef struct Light {
 	bool media_interaction, media_attenuation;
 	bool photons_refraction, photons_reflection;
 	bool photons_area;             /* photons start from the whole area */
+	double photons_share;          /* paths beside other lights'; 1 */
 	int group;                     /* light_group it belongs to; 0: lights everything */
 	const void *projected_through; /* const Shape *, for the renderer */
 } Light;

@@ -95,13 +95,13 @@ static bool project_through(const Shape *shape, Ray *ray)
 	Hit hit;
 	if (!shape_nearest(shape, ray, &hit))
 		return false;
-	ray->tmax = hit.t - trace_epsilon(ray_at(ray, hit.t));
+	ray->tmax = hit.t - shade_epsilon(ray_at(ray, hit.t));
 	return true;
 }
 
 Rgb shadow_visibility(Tracer *tracer, const LitPoint *at, int light, Vec3 direction, double distance)
 {
-	double epsilon = trace_epsilon(at->p);
+	double epsilon = shade_epsilon(at->p);
 	Ray ray = {at->p, direction, epsilon, distance - epsilon};
 	tracer->statistics.shadow_rays++;
 	const Shape *through = tracer->scene->lights[light].projected_through;

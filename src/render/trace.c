@@ -16,13 +16,6 @@ enum { TRACE_MAX_DEPTH = 250 }; /* recursion limit for surfaces in a row that le
 
 static const Seen SEEN_NOTHING = {{0, 0, 0}, 0};
 
-double trace_epsilon(Vec3 p)
-{
-	double scale = fmax(fabs(p.x), fmax(fabs(p.y), fabs(p.z)));
-	/* POV-Ray's 0.001 for scenes of usual size, finer for tiny ones, and never under what doubles can tell apart. */
-	return fmax(fmin(1e-3, 1e-4 * scale), 1e-9 * scale);
-}
-
 static void seen_add(Seen *sum, Seen part, Rgb weight)
 {
 	sum->color = rgb_add(sum->color, rgb_mul(part.color, weight));
@@ -53,7 +46,7 @@ static void next_ray(const PathRay *path, const ShadePoint *point, const BsdfEve
 	inside_copy(&next->inside, &path->inside);
 	if (event->kind == BSDF_TRANSMIT && !event->total)
 		inside_cross(&next->inside, point->surface);
-	next->ray = (Ray){point->at.world, event->to, trace_epsilon(point->at.world), INFINITY};
+	next->ray = (Ray){point->at.world, event->to, shade_epsilon(point->at.world), INFINITY};
 	next->level = path->level + (event->kind == BSDF_REFLECT || event->bent);
 	next->depth = path->depth + 1;
 	next->reflected = path->reflected || event->kind == BSDF_REFLECT || event->total;

@@ -64,7 +64,4 @@ Seen trace_ray(Tracer *tracer, const PathRay *path, FirstHit *first);
 /* Starts at the camera: finds out what the ray begins in. */
 Seen trace_eye(Tracer *tracer, const Ray *ray, FirstHit *first);
 
-/* The distance within which a ray does not meet the surface it starts from. */
-double trace_epsilon(Vec3 p);
-
 #endif

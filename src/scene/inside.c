@@ -42,23 +42,28 @@ bool inside_is_open(const InsideStack *stack)
 	return true;
 }
 
-static double interior_ior(const Interior *interior)
+static double ior_of(const Interior *interior, double hue)
 {
-	return interior && interior->ior > 0 ? interior->ior : 1;
+	return interior ? interior_ior(interior, hue) : 1;
 }
 
 /* The index at the top of the stack, leaving out one entry (-1: none). */
-static double top_ior(const InsideStack *stack, int except)
+static double top_ior(const InsideStack *stack, int except, double hue)
 {
 	int top = stack->count - 1;
 	if (top == except)
 		top--;
-	return top >= 0 ? interior_ior(stack->items[top].interior) : 1;
+	return top >= 0 ? ior_of(stack->items[top].interior, hue) : 1;
+}
+
+double inside_ratio_of_hue(const InsideStack *stack, const Surface *surface, double hue)
+{
+	int at = find(stack, surface);
+	double own = ior_of(surface->interior, hue);
+	return at >= 0 ? own / top_ior(stack, at, hue) : top_ior(stack, -1, hue) / own;
 }
 
 double inside_ratio(const InsideStack *stack, const Surface *surface)
 {
-	int at = find(stack, surface);
-	double own = interior_ior(surface->interior);
-	return at >= 0 ? own / top_ior(stack, at) : top_ior(stack, -1) / own;
+	return inside_ratio_of_hue(stack, surface, 0.5);
 }

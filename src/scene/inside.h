@@ -28,5 +28,7 @@ void inside_cross(InsideStack *stack, const Surface *surface);
 bool inside_is_open(const InsideStack *stack);
 /* Index of refraction on this side of the surface over the other side's, for a ray about to cross it. */
 double inside_ratio(const InsideStack *stack, const Surface *surface);
+/* The same for one colour of light: hue 0 is red, 1 is violet, 0.5 has the index that the scene gives. */
+double inside_ratio_of_hue(const InsideStack *stack, const Surface *surface, double hue);
 
 #endif

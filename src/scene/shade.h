@@ -14,6 +14,8 @@ typedef struct ShadePoint {
 void shade_point_init(ShadePoint *point, const Ray *ray, const Hit *hit);
 /* The texture at the point: the outer or the interior one, or what a mesh's corners blend. */
 void shade_textures(const ShadePoint *point, Shading *out);
+/* The distance within which a ray that starts at p does not meet the surface it starts from. */
+double shade_epsilon(Vec3 p);
 /* What is left of light after a way through an interior: fade_distance, fade_power, fade_color. */
 Rgb shade_attenuation(const Interior *interior, double distance);
 

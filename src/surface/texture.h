@@ -158,5 +158,9 @@ typedef struct Interior {
 } Interior;
 
 Interior interior_default(void);
+/* The index of refraction for a hue: 0 red, 1 violet, 0.5 the scene's own number. dispersion is violet's over red's. */
+double interior_ior(const Interior *interior, double hue);
+/* The colour of a hue, such that hues evenly spread over [0, 1] make white. */
+Rgb interior_hue_color(double hue);
 
 #endif

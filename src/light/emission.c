@@ -1,0 +1,130 @@
+#include "light/emission.h"
+
+#include <math.h>
+
+#include "light/area.h"
+
+static bool is_collimated(const Light *light)
+{
+	return light->parallel || light->kind == LIGHT_CYLINDER;
+}
+
+static Vec3 light_axis(const Light *light)
+{
+	return vec3_normalize(vec3_sub(light->point_at, light->position));
+}
+
+int emission_dimensions(const Light *light)
+{
+	return is_collimated(light) ? 2 : 3;
+}
+
+/* ---- regions ---- */
+
+/* The disc of the light's plane that the ball throws its shadow on; a cylinder light's own disc when that is smaller. */
+static EmissionRegion disc_region(const Light *light, const EmissionAim *aim)
+{
+	EmissionRegion region = {.plane = true, .axis = light_axis(light), .radius = aim->radius};
+	Vec3 offset = vec3_sub(aim->center, light->position);
+	region.origin = vec3_mad(aim->center, -vec3_dot(offset, region.axis), region.axis);
+	if (light->kind == LIGHT_CYLINDER && light->falloff < aim->radius) {
+		region.origin = light->position;
+		region.radius = light->falloff;
+	}
+	vec3_frame(region.axis, &region.u, &region.v);
+	region.measure = M_PI * region.radius * region.radius;
+	return region;
+}
+
+/* The cap of directions under which the ball is seen; a spotlight's own cone when that is smaller. */
+static EmissionRegion cap_region(const Light *light, Vec3 origin, const EmissionAim *aim)
+{
+	EmissionRegion region = {.origin = origin};
+	Vec3 offset = vec3_sub(aim->center, origin);
+	double sine = aim->radius / vec3_length(offset);
+	region.axis = vec3_normalize(offset);
+	/* 1 - cos without cancellation for small balls */
+	region.rise = sine < 1 ? sine * sine / (1 + sqrt(1 - sine * sine)) : 2;
+	if (light->kind == LIGHT_SPOT && 1 - light->falloff < region.rise) {
+		region.axis = light_axis(light);
+		region.rise = fmin(1 - light->falloff, 1);
+	}
+	if (vec3_length2(region.axis) == 0)
+		region.axis = vec3(0, 1, 0);
+	vec3_frame(region.axis, &region.u, &region.v);
+	region.measure = 2 * M_PI * region.rise;
+	return region;
+}
+
+EmissionRegion emission_region(const Light *light, const EmissionAim *aim)
+{
+	return is_collimated(light) ? disc_region(light, aim) : cap_region(light, light->position, aim);
+}
+
+/* ---- samples ---- */
+
+/* The square to the unit disc, areas kept, neighbours kept (Shirley & Chiu 1997). */
+static Vec2 concentric_disc(double s, double t)
+{
+	double a = 2 * s - 1, b = 2 * t - 1;
+	if (a == 0 && b == 0)
+		return (Vec2){0, 0};
+	double r = fabs(a) > fabs(b) ? a : b;
+	double phi = fabs(a) > fabs(b) ? M_PI / 4 * (b / a) : M_PI / 2 - M_PI / 4 * (a / b);
+	return (Vec2){r * cos(phi), r * sin(phi)};
+}
+
+static Vec3 area_origin(const Light *light, const EmissionAim *aim, const double s[2])
+{
+	if (!light->photons_area || !light->area)
+		return light->position;
+	AreaFrame frame = area_frame(light, aim->center);
+	return area_point(light, &frame, s[0] * (light->size1 - 1), s[1] * (light->size2 - 1));
+}
+
+/* Paths start before the ball even where the light's plane cuts it. */
+static Emission sample_disc(const Light *light, const EmissionAim *aim, const EmissionRegion *region, Vec2 disc)
+{
+	Vec3 offset = vec3_add(vec3_scale(region->u, region->radius * disc.u), vec3_scale(region->v, region->radius * disc.v));
+	Vec3 on_plane = vec3_add(region->origin, offset), from = vec3_sub(on_plane, light->position);
+	double back = vec3_dot(vec3_sub(aim->center, light->position), region->axis) - aim->radius;
+	return (Emission){
+		.origin = vec3_mad(on_plane, fmin(back, 0), region->axis), .direction = region->axis,
+		.coordinates = {(float)vec3_dot(from, region->u), (float)vec3_dot(from, region->v), 0},
+		.measure = region->measure,
+	};
+}
+
+static Emission sample_cap(const EmissionRegion *region, Vec2 disc)
+{
+	/* the disc's squared radius is uniform, and so is the height of a cap */
+	double r2 = disc.u * disc.u + disc.v * disc.v, down = region->rise * r2, cosine = 1 - down;
+	double sine = sqrt(fmax(down * (2 - down), 0)), r = sqrt(r2);
+	Vec3 around = r > 0 ? vec3_add(vec3_scale(region->u, disc.u / r), vec3_scale(region->v, disc.v / r)) : region->u;
+	Vec3 direction = vec3_normalize(vec3_add(vec3_scale(region->axis, cosine), vec3_scale(around, sine)));
+	return (Emission){
+		.origin = region->origin, .direction = direction,
+		.coordinates = {(float)direction.x, (float)direction.y, (float)direction.z}, .measure = region->measure,
+	};
+}
+
+Emission emission_sample(const Light *light, const EmissionAim *aim, const double s[4])
+{
+	Vec2 disc = concentric_disc(s[0], s[1]);
+	if (is_collimated(light)) {
+		EmissionRegion region = disc_region(light, aim);
+		return sample_disc(light, aim, &region, disc);
+	}
+	EmissionRegion region = cap_region(light, area_origin(light, aim, s + 2), aim);
+	return sample_cap(&region, disc);
+}
+
+Rgb emission_flux(const Light *light, const Emission *emission, Vec3 p, double share)
+{
+	Vec3 direction;
+	double distance, area = share * emission->measure;
+	Rgb arrival = light_arrival(light, is_collimated(light) ? light->position : emission->origin, p, &direction, &distance);
+	if (!is_collimated(light))
+		area *= distance * distance;
+	return rgb_scale(arrival, (float)area);
+}

@@ -1,0 +1,55 @@
+/*
+ * Where photons leave a light, and the emitter coordinates they keep (Spencer & Jones 2013, section 4.1).
+ *
+ *   parallel and cylinder lights   2-D origin on the plane through the light's position across its axis, in scene units,
+ *                                  relative to the position: with the world position a 5-D tree
+ *   point lights                   exit direction on the unit sphere: a 6-D tree
+ *   spotlights                     exit direction on the unit hemisphere: a 6-D tree
+ *   area lights                    exit direction alone. Direction and point together have four dimensions, but a caustic's
+ *                                  structure is made by the direction; the point only blurs it, by the light's size over
+ *                                  its distance. What is left of the point acts as noise on the neighbourhoods
+ *
+ * Emission is aimed at a ball around a target. Brightness follows POV-Ray: a light without fading is as bright at any distance,
+ * so a path's flux is settled at its first hit (emission_flux).
+ */
+#ifndef LIGHT_EMISSION_H
+#define LIGHT_EMISSION_H
+
+#include <stdbool.h>
+
+#include "base/color.h"
+#include "base/vec.h"
+#include "light/light.h"
+
+typedef struct EmissionAim {
+	Vec3 center;
+	double radius;
+} EmissionAim;
+
+/* The part of the emitter's parameter space that may reach the target: a disc of the plane, or a cap of directions. */
+typedef struct EmissionRegion {
+	bool plane;
+	Vec3 origin;      /* the disc's centre, or the cap's apex */
+	Vec3 axis, u, v;  /* axis: where the light goes, or the cap's middle */
+	double radius;    /* disc */
+	double rise;      /* cap: 1 - cosine of the half angle, 0..2 */
+	double measure;   /* area, or solid angle */
+} EmissionRegion;
+
+typedef struct Emission {
+	Vec3 origin, direction; /* direction is unit */
+	float coordinates[3];
+	double measure;         /* of the region the sample was taken from */
+} Emission;
+
+EmissionRegion emission_region(const Light *light, const EmissionAim *aim);
+/* 2: coordinates on a plane; 3: on the sphere. */
+int emission_dimensions(const Light *light);
+
+/* A sample, uniform over the region, from four numbers in [0, 1); the last two choose the point of an area light. */
+Emission emission_sample(const Light *light, const EmissionAim *aim, const double s[4]);
+
+/* The flux of a path that stands for `share` of its region (1/number of paths), when it first lands at p. */
+Rgb emission_flux(const Light *light, const Emission *emission, Vec3 p, double share);
+
+#endif

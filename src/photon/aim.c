@@ -1,0 +1,179 @@
+#include "photon/aim.h"
+
+#include <math.h>
+
+#include "base/random.h"
+#include "geom/csg.h"
+#include "scene/accel.h"
+
+/* ---- targets: the primitives of one object together ---- */
+
+typedef struct Target {
+	int id;
+	Box3 box;
+	double spacing; /* of its photons beside the others' */
+	const Surface *surface;
+} Target;
+
+/* The surfaces of a shape: of a primitive its owner's, of a CSG its children's. */
+static void visit_surfaces(const Shape *shape, void (*visit)(void *data, const Shape *shape), void *data)
+{
+	if (shape->owner) {
+		visit(data, shape);
+		return;
+	}
+	const Csg *csg = shape->data;
+	for (int i = 0; i < csg->count; i++)
+		visit_surfaces(csg->children[i], visit, data);
+}
+
+typedef struct FindTarget {
+	const Surface *surface;
+} FindTarget;
+
+static void find_target(void *data, const Shape *shape)
+{
+	FindTarget *find = data;
+	const Surface *surface = shape->owner;
+	if (surface->photons_target)
+		find->surface = surface;
+}
+
+static void add_target(Target *targets, int *count, const Surface *surface, Box3 box)
+{
+	int i = 0;
+	while (i < *count && targets[i].id != surface->id)
+		i++;
+	if (i == *count)
+		targets[(*count)++] = (Target){surface->id, box3_empty(), surface->photon_spacing, surface};
+	targets[i].box = box3_union(targets[i].box, box);
+}
+
+static int find_targets(const Scene *scene, Target *targets)
+{
+	int count = 0;
+	for (int i = 0; i < scene->shape_count; i++) {
+		FindTarget find = {NULL};
+		visit_surfaces(scene->shapes[i], find_target, &find);
+		if (find.surface && shape_is_bounded(scene->shapes[i]))
+			add_target(targets, &count, find.surface, scene->shapes[i]->box);
+	}
+	return count;
+}
+
+/* ---- aims ---- */
+
+bool photon_light_reaches(const Light *light, const Surface *surface)
+{
+	if (light->group)
+		return light->group == surface->light_group;
+	return surface->light_group == 0 || surface->global_lights;
+}
+
+/* A light shoots at a target when both agree on at least one kind of event. */
+static bool shoots(const Light *light, const Surface *surface)
+{
+	return photon_light_reaches(light, surface) && ((light->photons_refraction && surface->photons_refraction) ||
+	                                                (light->photons_reflection && surface->photons_reflection));
+}
+
+/* The objects that the light stands in. */
+static void find_inside(const Scene *scene, Vec3 place, InsideStack *inside)
+{
+	const Shape *around[INSIDE_MAX];
+	int count = accel_containing(scene->accel, place, around, INSIDE_MAX);
+	for (int i = 0; i < count; i++)
+		if (!inside_has(inside, around[i]->owner))
+			inside_cross(inside, around[i]->owner);
+}
+
+static PhotonAim make_aim(const Scene *scene, int light, const Target *target)
+{
+	PhotonAim aim = {.light = light, .target = target->id, .box = target->box};
+	aim.ball.center = vec3_scale(vec3_add(target->box.lo, target->box.hi), 0.5);
+	aim.ball.radius = 0.5 * vec3_distance(target->box.lo, target->box.hi);
+	find_inside(scene, scene->lights[light].position, &aim.inside);
+	return aim;
+}
+
+bool photon_aim_hits(const PhotonAim *aim, const Emission *emission)
+{
+	double near = 0, far = INFINITY;
+	for (int axis = 0; axis < 3; axis++) {
+		double o = vec3_axis(emission->origin, axis), inverse = 1 / vec3_axis(emission->direction, axis);
+		double a = (vec3_axis(aim->box.lo, axis) - o) * inverse, b = (vec3_axis(aim->box.hi, axis) - o) * inverse;
+		near = fmax(near, fmin(a, b)); /* fmax and fmin pass over the NaN of a ray in a face's plane */
+		far = fmin(far, fmax(a, b));
+	}
+	return near <= far * (1 + 1e-9) + 1e-12;
+}
+
+static const uint64_t HALTON_SKIP = 1; /* index 0 is a corner in every dimension */
+
+Emission photon_emission(const Scene *scene, const PhotonAim *aim, const PhotonTraceOptions *options, uint64_t path)
+{
+	uint64_t index = options->pass * aim->paths + path + HALTON_SKIP;
+	uint64_t sequence = (uint64_t)aim->light << 32 | (uint32_t)aim->target;
+	double s[4];
+	for (int k = 0; k < 4; k++) {
+		double shift = random_uniform(options->seed, sequence, (uint64_t)k);
+		s[k] = random_halton(index, k) + shift;
+		s[k] -= floor(s[k]);
+	}
+	return emission_sample(&scene->lights[aim->light], &aim->ball, s);
+}
+
+/* The share of paths at the ball that meet the box. */
+static double box_share(const Scene *scene, const PhotonAim *aim)
+{
+	enum { TRIES = 512 };
+	PhotonTraceOptions options = {0};
+	int met = 0;
+	for (uint64_t i = 0; i < TRIES; i++) {
+		Emission emission = photon_emission(scene, aim, &options, i);
+		met += photon_aim_hits(aim, &emission);
+	}
+	return fmax(met, 1) / TRIES;
+}
+
+/*
+ * With `spacing` a target's ball gets one path per spacing squared of its disc. With `count` that many paths at the boxes are shared
+ * out by the same measure. Lights take `share` times as many.
+ */
+static void share_out(const Scene *scene, PhotonAims *aims, const double *density, const PhotonTraceOptions *options)
+{
+	const PhotonSettings *settings = &scene->settings.photons;
+	double total = 0, count = (double)(options->count ? options->count : (uint64_t)settings->count);
+	for (int i = 0; i < aims->count; i++) {
+		double radius = aims->aims[i].ball.radius;
+		total += M_PI * radius * radius * density[i] * box_share(scene, &aims->aims[i]);
+	}
+	for (int i = 0; i < aims->count; i++) {
+		PhotonAim *aim = &aims->aims[i];
+		double disc = M_PI * aim->ball.radius * aim->ball.radius * density[i];
+		double paths = count > 0 ? count * disc / total
+		                         : disc / (settings->spacing > 0 ? settings->spacing * settings->spacing : 1);
+		aim->paths = (uint64_t)fmax(ceil(paths * options->scale), 1);
+		aim->first = aims->paths;
+		aims->paths += aim->paths;
+	}
+}
+
+PhotonAims photon_aims(const Scene *scene, const PhotonTraceOptions *options, Arena *arena)
+{
+	Target *targets = ARENA_ARRAY(arena, Target, scene->shape_count + 1);
+	int count = find_targets(scene, targets);
+	PhotonAims aims = {ARENA_ARRAY(arena, PhotonAim, (size_t)count * (size_t)scene->light_count + 1), 0, 0};
+	double *density = ARENA_ARRAY(arena, double, (size_t)count * (size_t)scene->light_count + 1);
+	for (int l = 0; l < scene->light_count; l++) {
+		for (int t = 0; t < count; t++) {
+			if (!shoots(&scene->lights[l], targets[t].surface))
+				continue;
+			double spacing = targets[t].spacing > 0 ? targets[t].spacing : 1;
+			density[aims.count] = scene->lights[l].photons_share / (spacing * spacing);
+			aims.aims[aims.count++] = make_aim(scene, l, &targets[t]);
+		}
+	}
+	share_out(scene, &aims, density, options);
+	return aims;
+}

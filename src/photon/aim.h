@@ -1,0 +1,40 @@
+/*
+ * What photons are aimed at: for each light and each target object, a ball around it, how many paths go there, and where they
+ * start in the low-discrepancy sequence.
+ */
+#ifndef PHOTON_AIM_H
+#define PHOTON_AIM_H
+
+#include "base/arena.h"
+#include "light/emission.h"
+#include "photon/trace.h"
+#include "scene/inside.h"
+#include "scene/scene.h"
+
+typedef struct PhotonAim {
+	int light;         /* number of the scene's light */
+	int target;        /* Surface.id */
+	EmissionAim ball;
+	Box3 box;          /* paths that miss it are counted but not followed */
+	uint64_t paths;    /* of this pass */
+	uint64_t first;    /* number of its first path among all of the pass */
+	InsideStack inside; /* what the light stands in */
+} PhotonAim;
+
+typedef struct PhotonAims {
+	PhotonAim *aims;
+	int count;
+	uint64_t paths;    /* of all */
+} PhotonAims;
+
+/* In the arena. Unbounded targets are left out. */
+PhotonAims photon_aims(const Scene *scene, const PhotonTraceOptions *options, Arena *arena);
+
+/* The emission of one path of an aim: Halton points, shifted as a whole by the seed. */
+Emission photon_emission(const Scene *scene, const PhotonAim *aim, const PhotonTraceOptions *options, uint64_t path);
+/* Whether a ray meets the target's box. */
+bool photon_aim_hits(const PhotonAim *aim, const Emission *emission);
+/* Whether the light shines on the surface at all (light groups). */
+bool photon_light_reaches(const Light *light, const Surface *surface);
+
+#endif

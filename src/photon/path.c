@@ -1,0 +1,266 @@
+/*
+ * A path starts with the flux that its first hit settles (light/emission.h). At each surface it leaves a photon if the surface
+ * collects and the path has been bent or reflected before; then one of the surface's mirrors and passages is chosen by its
+ * weight and the path goes on. Flux is divided by the choice's probability, so that its expectation is right; under
+ * adc_bailout of what it started with, a path survives by Russian roulette (Arvo & Kirk 1990).
+ *
+ * Energy: what a surface takes from a path counts as stored where a photon was left and as absorbed elsewhere; what leaves the scene
+ * has escaped. The three add up to what was emitted onto targets.
+ */
+#include "photon/path.h"
+
+#include <math.h>
+
+#include "base/random.h"
+#include "scene/accel.h"
+#include "scene/inside.h"
+#include "scene/shade.h"
+#include "surface/bsdf.h"
+
+enum { PATH_MAX_CROSSINGS = 250, DIMENSION_HUE = 4 };
+
+typedef struct Path {
+	const Scene *scene;
+	const Light *light;
+	const PhotonAim *aim;
+	PhotonBuffer *out;
+	Emission emission;
+	Sampler sampler;
+	Ray ray;
+	Rgb flux;
+	float start;         /* grey flux at the first hit */
+	double length;       /* so far */
+	double hue, hue_choice; /* hue: 0.5 for white light */
+	bool colored;
+	int edges, level;
+	uint8_t kind;        /* hash of the way so far */
+	InsideStack inside;
+} Path;
+
+static bool accept_on_the_way(void *data, const Ray *ray, const Hit *hit)
+{
+	(void)ray;
+	const Path *path = data;
+	const Surface *surface = hit->shape->owner;
+	/* Until it has met the target, a path passes what is told to let it. */
+	return path->edges > 0 || !surface->photons_pass_through || surface->id == path->aim->target;
+}
+
+static void push_photon(PhotonBuffer *out, const Photon *photon)
+{
+	if (out->count == out->capacity) {
+		out->capacity = out->capacity ? 2 * out->capacity : 1024;
+		out->photons = memory_resize(out->photons, sizeof *out->photons * out->capacity);
+	}
+	out->photons[out->count++] = *photon;
+}
+
+static void store(Path *path, const ShadePoint *point)
+{
+	Vec3 p = point->at.world, normal = point->at.normal;
+	Photon photon = {
+		.position = {(float)p.x, (float)p.y, (float)p.z},
+		.emitter = {path->emission.coordinates[0], path->emission.coordinates[1], path->emission.coordinates[2]},
+		.length = (float)path->length, .light = (uint16_t)path->aim->light, .object = (uint16_t)point->surface->id,
+		.edges = (uint8_t)(path->edges < 255 ? path->edges : 255), .path = path->kind,
+	};
+	photon_set_flux(&photon, path->flux);
+	photon_set_direction(&photon, vec3_neg(path->ray.direction));
+	photon_set_normal(&photon, normal);
+	push_photon(path->out, &photon);
+	path->out->statistics.stored++;
+}
+
+/* ---- at a surface ---- */
+
+/* One of the texture's stacks, by its weight. */
+static const ShadingStack *choose_stack(Path *path, const Shading *shading)
+{
+	if (shading->stack_count == 1)
+		return &shading->stacks[0];
+	double u = sampler_next(&path->sampler);
+	for (int i = 0; i + 1 < shading->stack_count; i++) {
+		if (u < shading->stacks[i].weight)
+			return &shading->stacks[i];
+		u -= shading->stacks[i].weight;
+	}
+	return &shading->stacks[shading->stack_count - 1];
+}
+
+static bool disperses(const Interior *interior)
+{
+	return interior && interior->dispersion != 1 && interior->dispersion > 0;
+}
+
+/* White light that meets glass which bends colours differently becomes light of one hue. */
+static void settle_hue(Path *path, const Surface *surface)
+{
+	if (path->colored || !disperses(surface->interior))
+		return;
+	path->colored = true;
+	path->hue = path->hue_choice;
+	path->flux = rgb_mul(path->flux, interior_hue_color(path->hue));
+}
+
+static void make_bsdf(Path *path, const ShadePoint *point, const Shading *shading, Bsdf *bsdf)
+{
+	const ShadingStack *stack = choose_stack(path, shading);
+	BsdfPlace place = {
+		.from = vec3_neg(path->ray.direction), .geometric = point->at.normal,
+		.ior = inside_ratio_of_hue(&path->inside, point->surface, path->hue),
+		.both_sides = point->surface->double_illuminate,
+		.irid_wavelength = path->scene->settings.irid_wavelength, .grain = 0.5,
+	};
+	bsdf_init(bsdf, &shading->layers[stack->first], stack->count, &place);
+}
+
+static bool allowed(const Path *path, const Surface *surface, const BsdfEvent *event)
+{
+	bool reflection = surface->photons_reflection && path->light->photons_reflection;
+	bool refraction = surface->photons_refraction && path->light->photons_refraction;
+	return event->kind == BSDF_REFLECT ? reflection : refraction;
+}
+
+/* Picks one event by its weight and multiplies its weight so that the expectation is all of them; false when none is left. */
+static bool choose_event(Path *path, const Surface *surface, const Bsdf *bsdf, BsdfEvent *chosen)
+{
+	BsdfEvent events[BSDF_MAX_EVENTS];
+	int count = bsdf_events(bsdf, TRANSPORT_FLUX, events), kept = 0;
+	float total = 0;
+	for (int i = 0; i < count; i++) {
+		if (!allowed(path, surface, &events[i]))
+			continue;
+		events[kept] = events[i];
+		total += rgb_gray(rgb_mul(events[i].weight, path->flux));
+		kept++;
+	}
+	if (kept == 0 || !(total > 0))
+		return false;
+	float u = (float)sampler_next(&path->sampler) * total;
+	for (int i = 0; i < kept; i++) {
+		float share = rgb_gray(rgb_mul(events[i].weight, path->flux));
+		*chosen = events[i];
+		if (share > 0 && (u < share || i + 1 == kept)) {
+			chosen->weight = rgb_scale(chosen->weight, total / share);
+			return true;
+		}
+		u -= share;
+	}
+	return false;
+}
+
+static bool survives(Path *path)
+{
+	double bailout = path->scene->settings.photons.adc_bailout;
+	if (bailout < 0)
+		bailout = path->scene->settings.adc_bailout;
+	float left = rgb_gray(path->flux), limit = (float)bailout * path->start;
+	if (left >= limit)
+		return left > 0;
+	if (sampler_next(&path->sampler) * limit >= left)
+		return false;
+	path->flux = rgb_scale(path->flux, limit / left);
+	return true;
+}
+
+static int most_levels(const Scene *scene)
+{
+	int own = scene->settings.photons.max_trace_level;
+	return own > 0 ? own : scene->settings.max_trace_level;
+}
+
+static void go_on(Path *path, const ShadePoint *point, const BsdfEvent *event)
+{
+	if (event->kind == BSDF_TRANSMIT && !event->total)
+		inside_cross(&path->inside, point->surface);
+	path->flux = rgb_mul(path->flux, event->weight);
+	path->level += event->kind == BSDF_REFLECT || event->bent;
+	path->ray = (Ray){point->at.world, event->to, shade_epsilon(point->at.world), INFINITY};
+	int what = event->kind == BSDF_REFLECT ? 1 : event->total ? 2 : 3;
+	path->kind = (uint8_t)random_mix(path->kind * 4096u + (unsigned)point->surface->id * 4u + (unsigned)what + 1);
+}
+
+/* The first surface a path meets must be its target: others have paths of their own, or stand in the way. */
+static bool lands_on_target(Path *path, const ShadePoint *point, double share)
+{
+	if (point->surface->id != path->aim->target)
+		return false;
+	path->flux = emission_flux(path->light, &path->emission, point->at.world, share);
+	path->start = rgb_gray(path->flux);
+	path->out->statistics.emitted_flux += path->start;
+	return path->start > 0;
+}
+
+/* Returns whether the path goes on. */
+static bool meet(Path *path, const Hit *hit, double share)
+{
+	ShadePoint point;
+	Shading shading;
+	Bsdf bsdf;
+	BsdfEvent event;
+	PhotonStatistics *statistics = &path->out->statistics;
+	shade_point_init(&point, &path->ray, hit);
+	path->length += hit->t;
+	if (path->edges == 0 && !lands_on_target(path, &point, share))
+		return false;
+	path->edges++;
+	float before = rgb_gray(path->flux);
+	if (inside_has(&path->inside, point.surface))
+		path->flux = rgb_mul(path->flux, shade_attenuation(point.surface->interior, hit->t));
+	statistics->absorbed_flux += before - rgb_gray(path->flux);
+	shade_textures(&point, &shading);
+	settle_hue(path, point.surface);
+	make_bsdf(path, &point, &shading, &bsdf);
+	before = rgb_gray(path->flux);
+	bool stored = path->edges > 1 && point.surface->photons_collect && !bsdf_is_delta(&bsdf) &&
+	              photon_light_reaches(path->light, point.surface);
+	if (stored)
+		store(path, &point);
+	bool on = path->level < most_levels(path->scene) && choose_event(path, point.surface, &bsdf, &event);
+	if (on) {
+		go_on(path, &point, &event);
+		on = survives(path);
+	}
+	double taken = before - (on ? rgb_gray(path->flux) : 0);
+	*(stored ? &statistics->stored_flux : &statistics->absorbed_flux) += taken;
+	return on;
+}
+
+static double hue_of(const PhotonTraceOptions *options, uint64_t number)
+{
+	double hue = random_halton(number + 1, DIMENSION_HUE) + random_uniform(options->seed, options->pass, DIMENSION_HUE);
+	return hue - floor(hue);
+}
+
+void photon_path(const Scene *scene, const PhotonAim *aim, const PhotonTraceOptions *options, uint64_t number,
+                 PhotonBuffer *out)
+{
+	Path path = {
+		.scene = scene, .light = &scene->lights[aim->light], .aim = aim, .out = out, .hue = 0.5,
+		.hue_choice = hue_of(options, number),
+		.sampler = {random_bits(options->seed, options->pass, 1), aim->first + number, 0},
+	};
+	path.emission = photon_emission(scene, aim, options, number);
+	out->statistics.paths++;
+	if (!photon_aim_hits(aim, &path.emission))
+		return;
+	path.ray = (Ray){path.emission.origin, path.emission.direction, 0, INFINITY};
+	inside_copy(&path.inside, &aim->inside);
+	for (int i = 0; i < PATH_MAX_CROSSINGS; i++) {
+		Hit hit;
+		out->statistics.segments++;
+		if (!accel_nearest(scene->accel, &path.ray, accept_on_the_way, &path, &hit)) {
+			if (path.edges > 0) {
+				out->statistics.escaped++;
+				out->statistics.escaped_flux += rgb_gray(path.flux);
+			}
+			return;
+		}
+		if (!meet(&path, &hit, 1.0 / (double)aim->paths)) {
+			out->statistics.absorbed++;
+			return;
+		}
+	}
+	out->statistics.absorbed++;
+	out->statistics.absorbed_flux += rgb_gray(path.flux);
+}
