@@ -150,24 +150,25 @@ static void maybe_report(Render *render)
 
 /* ---- tiles ---- */
 
-/* Runs of pixels that are needed go to the film; the others stay as they are. */
-static void commit_row(Render *render, int y, int x0, int x1, const FilmPixel *row)
+/* Puts the runs of a row's pixels that are wanted into a film; the others stay as they are. row[0] is the pixel at x0. */
+static void commit_runs(const Render *render, Film *film, FilmRect span, const FilmPixel *row,
+                        bool (*wanted)(const Render *render, int x, int y))
 {
-	for (int x = x0; x < x1;) {
+	for (int x = span.x0; x < span.x1;) {
 		int end = x;
-		while (end < x1 && render->pass.needed(render, end, y))
+		while (end < span.x1 && wanted(render, end, span.y0))
 			end++;
-		if (end > x) {
-			FilmRect run = {x, y, end, y + 1};
-			if (render->first && !render->final)
-				film_commit(render->first, run, row + (x - x0), false);
-			run.x0 = x > render->region.x0 ? x : render->region.x0;
-			run.x1 = end < render->region.x1 ? end : render->region.x1;
-			if (y >= render->region.y0 && y < render->region.y1 && run.x0 < run.x1)
-				film_commit(render->film, run, row + (run.x0 - x0), render->final);
-		}
+		if (end > x)
+			film_commit(film, (FilmRect){x, span.y0, end, span.y1}, row + (x - span.x0), render->final);
 		x = end + 1;
 	}
+}
+
+static void commit_row(const Render *render, FilmRect span, const FilmPixel *row)
+{
+	if (render->first && !render->final)
+		commit_runs(render, render->first, span, row, is_first_needed);
+	commit_runs(render, render->film, span, row, is_unfinished);
 }
 
 static bool render_rows(Render *render, Worker *worker, FilmRect tile)
@@ -199,7 +200,7 @@ static void render_tile(void *data, long item, int thread)
 	if (is_stopped(render) || !render_rows(render, worker, tile))
 		return;
 	for (int y = tile.y0; y < tile.y1; y++)
-		commit_row(render, y, tile.x0, tile.x1, worker->pixels + (y - tile.y0) * TILE);
+		commit_row(render, (FilmRect){tile.x0, y, tile.x1, y + 1}, worker->pixels + (y - tile.y0) * TILE);
 	atomic_fetch_add(&render->tiles, 1);
 	if (!render->first || !render->final)
 		atomic_fetch_add(&render->pixels, (long)(tile.x1 - tile.x0) * (tile.y1 - tile.y0));
