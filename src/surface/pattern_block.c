@@ -42,11 +42,12 @@ static double value_cubic(const Pattern *pattern, const SurfacePoint *at)
 	return at->p.z > 0 ? 2 : 5;
 }
 
+/* Round the four squares that share a corner. */
 static double value_square(const Pattern *pattern, const SurfacePoint *at)
 {
 	(void)pattern;
-	int x = (int)fmod(floor(at->p.x), 2) != 0, z = (int)fmod(floor(at->p.z), 2) != 0;
-	return x + 2 * z;
+	bool x = fmod(floor(at->p.x), 2) != 0, z = fmod(floor(at->p.z), 2) != 0;
+	return z ? (x ? 2 : 1) : (x ? 3 : 0);
 }
 
 /*
@@ -67,11 +68,19 @@ static double value_hexagon(const Pattern *pattern, const SurfacePoint *at)
 	return entry < 0 ? entry + 3 : entry;
 }
 
+/*
+ * Triangles with sides of one and a side on the x axis, in rows along x. Every third triangle that points up has the same
+ * colour, likewise the ones between them; each row is shifted by half of that period.
+ */
 static double value_triangular(const Pattern *pattern, const SurfacePoint *at)
 {
+	static const int upward[3] = {0, 4, 2}, downward[3] = {3, 5, 1};
 	(void)pattern;
-	(void)at;
-	return 0;
+	double z = at->p.z / (sqrt(3) / 2), row = floor(z), height = z - row;
+	double x = at->p.x - height / 2 - (fmod(row, 2) != 0 ? 1.5 : 0);
+	x -= floor(x / 3) * 3;
+	int i = (int)x % 3;
+	return x - floor(x) < 1 - height ? upward[i] : downward[i];
 }
 
 static double value_object(const Pattern *pattern, const SurfacePoint *at)
