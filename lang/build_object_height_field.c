@@ -5,7 +5,7 @@
 #include "image/image.h"
 #include "lang/build_object.h"
 #include "lang/files.h"
-#include "surface/function.h"
+#include "surface/function_natives.h"
 
 enum { RESOLUTION_MAX = 16384 };
 
@@ -82,13 +82,23 @@ static bool read_file(Cursor *cursor, HeightFieldDesc *desc)
 	return true;
 }
 
+/* A float function, or the grey value of a pigment function. */
+static const Function *take_height_function(Cursor *cursor)
+{
+	const Function *function = cursor_accept_item(cursor, VALUE_FUNCTION);
+	if (function)
+		return function;
+	const VectorFunction *vector = cursor_take_item(cursor, VALUE_VECTOR_FUNCTION, "a function");
+	return vector ? function_of_gray(cursor->context->builder->arena, vector) : NULL;
+}
+
 /* function columns, rows { ... }: the function, then the numbers. Sampled over the unit square, whose y falls as z
  * rises: the function is an image there. */
 static bool read_function(Cursor *outer, const Node *block, HeightFieldDesc *desc)
 {
 	Cursor inside = cursor_begin(outer->context, block), *cursor = &inside;
 	Location where = block->where;
-	const Function *function = cursor_take_item(cursor, VALUE_FUNCTION, "a function of a float");
+	const Function *function = take_height_function(cursor);
 	if (!function || !cursor_take_int(cursor, &desc->width) || !cursor_take_int(cursor, &desc->depth))
 		return false;
 	bool sound = desc->width >= 2 && desc->depth >= 2 && desc->width <= RESOLUTION_MAX && desc->depth <= RESOLUTION_MAX;

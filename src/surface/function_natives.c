@@ -28,6 +28,19 @@ static void eval_pigment(const void *data, const double *args, double out[5])
 	out[4] = color.transmit;
 }
 
+static double eval_gray(const void *data, const double *args)
+{
+	const VectorFunction *vector = data;
+	double c[5];
+	vector->eval(vector->data, args, c);
+	return 0.297 * c[0] + 0.589 * c[1] + 0.114 * c[2];
+}
+
+const Function *function_of_gray(Arena *arena, const VectorFunction *vector)
+{
+	return function_native(arena, vector->arity, eval_gray, vector);
+}
+
 static void eval_transform(const void *data, const double *args, double out[5])
 {
 	Vec3 p = transform_point(data, vec3(args[0], args[1], args[2]));

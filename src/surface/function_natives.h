@@ -10,6 +10,8 @@
 const Function *function_of_pattern(Arena *arena, const Pattern *pattern);
 /* x, y, z to the pigment's colour. */
 const VectorFunction *function_of_pigment(Arena *arena, const Pigment *pigment);
+/* The grey value of a colour: of a vector function's result taken as one. */
+const Function *function_of_gray(Arena *arena, const VectorFunction *vector);
 /* x, y, z to the transformed point. */
 const VectorFunction *function_of_transform(Arena *arena, const Transform *transform);
 /* The internal function of that number (functions.inc names them); NULL when there is none. noise_generator is the one
