@@ -1,1 +1,1 @@
-# Manual pages.
+dist_man_MANS += man/cognac.1 man/cognac-compare.1 man/cognac-language.5

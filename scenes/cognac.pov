@@ -11,10 +11,10 @@ global_settings {
 }
 
 camera {
-  location <2, 13.5, -31>
-  look_at <2.2, 4.4, 0>
+  location <2.5, 14, -33>
+  look_at <3.0, 4.1, -1>
   right x * image_width / image_height
-  angle 33
+  angle 36
 }
 
 background { color rgb <0.012, 0.010, 0.009> }

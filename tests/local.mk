@@ -18,6 +18,12 @@ AM_TESTS_ENVIRONMENT = COGNAC='$(abs_builddir)/cognac'; COMPARE='$(abs_builddir)
 check_SCRIPTS += tests/layering.sh
 EXTRA_DIST += tests/layering.sh
 
+# The command line and the manual pages.
+CLI_TESTS = tests/cli/animation.sh tests/cli/ini.sh tests/cli/interrupt.sh tests/cli/output.sh tests/cli/words.sh \
+	tests/man.sh
+check_SCRIPTS += $(CLI_TESTS)
+EXTRA_DIST += $(CLI_TESTS) tests/cli/common.sh
+
 # POV-Ray's samples: a few of them in `make check`, all of them in `make check-povray`.
 check_SCRIPTS += tests/povray/subset.sh
 EXTRA_DIST += tests/povray/samples.py tests/povray/subset.sh tests/povray/subset.txt

@@ -1,0 +1,56 @@
+#!/bin/sh
+# Stopping by a signal: status 2, nothing left; with +C the picture so far, and the next run goes on from it to the same
+# picture that an undisturbed run makes.
+. "$SOURCES/tests/cli/common.sh"
+
+cat >slow.pov <<'END'
+#version 3.7;
+camera { location -z * 4 look_at 0 }
+light_source { <3, 4, -5> rgb 1 area_light x * 3, y * 3, 12, 12 }
+#for (I, 0, 6)
+  sphere { <I / 3 - 1, 0, I / 6>, 0.3 pigment { granite } }
+#end
+plane { z, 3 pigment { marble turbulence 1 } }
+END
+size='+W320 +H240 +A0.0 +R3'
+
+# stopped WORD...: runs in the background, is stopped after the first update, gives the status.
+stopped()
+{
+	# shellcheck disable=SC2086
+	"$COGNAC" slow.pov $size +Osoon.png --update=0.02 "$@" >out 2>err &
+	process=$!
+	tries=0
+	while [ ! -e soon.png ] && [ $tries -lt 300 ]; do
+		sleep 0.1
+		tries=$((tries + 1))
+	done
+	kill -TERM "$process"
+	wait "$process"
+}
+
+stopped
+got=$?
+[ $got = 2 ] || fail "status $got after a signal"
+[ -z "$(ls | grep '^soon')" ] || fail "left after a signal: $(ls soon*)"
+
+stopped +C
+got=$?
+[ $got = 2 ] || fail "status $got after a signal with +C"
+[ -s soon.png ] && [ -s soon.png.state ] || fail "+C keeps nothing: $(ls)"
+"$COMPARE" soon.png soon.png >out 2>&1 || fail "the picture so far is broken"
+size='+W320 +H240'
+echo '// changed' >>slow.pov
+"$COGNAC" slow.pov $size +C +Osoon.png >out 2>err && fail "goes on with the state of another scene"
+rm -f soon.png.state soon.png
+
+sed 's/12, 12/4, 4/' slow.pov >quick.pov
+mv quick.pov slow.pov
+size='+W320 +H240 +A0.0 +R2'
+stopped +C
+# shellcheck disable=SC2086
+"$COGNAC" slow.pov $size +C +Osoon.png >out 2>err || fail "cannot go on: $(head -n 1 err)"
+"$COGNAC" slow.pov $size +Owhole.png >out 2>err
+"$COMPARE" soon.png whole.png | grep -qx 'MSE 0' || fail "the continued picture is another one"
+[ ! -e soon.png.state ] || fail "the state is left behind"
+finish

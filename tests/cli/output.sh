@@ -1,0 +1,54 @@
+#!/bin/sh
+# Pictures: formats, standard output and input, parts, statistics, nothing left after an error, the same for any threads.
+. "$SOURCES/tests/cli/common.sh"
+
+for type in N8 N16 T C P P16 B J E; do
+	status 0 ball.pov +F$type +W32 +H24 +Oformat_$type
+done
+status 0 ball.pov +W32 +H24 +Oplain.png
+for file in format_N8.png format_T.tga format_C.tga format_P.ppm format_B.bmp; do
+	"$COMPARE" "$file" plain.png | grep -qx 'MSE 0' || fail "$file is not the PNG's picture"
+done
+"$COMPARE" --layer Z format_E.exr format_E.exr >out || fail "no layer Z"
+"$COMPARE" --layer albedo format_E.exr format_E.exr >out || fail "no layer albedo"
+! "$COMPARE" --layer nonsense format_E.exr format_E.exr >out 2>&1 || fail "a layer that is not there"
+! "$COMPARE" plain.png missing.png >out 2>&1 || fail "comparing with nothing"
+"$COMPARE" --json --crop 4,4,8,8 --halve --map map.png format_J.jpg plain.png >out || fail "cognac-compare's options"
+grep -q '"SSIM": 0.9' out || fail "JPEG is not close: $(cat out)"
+[ -s map.png ] || fail "no map"
+
+status 0 ball.pov +W32 +H24 +FP +O-
+same out format_P.ppm "standard output"
+"$COGNAC" +I- +W32 +H24 +FP +O- <ball.pov >out 2>err || fail "standard input: $(head -n 1 err)"
+same out format_P.ppm "standard input"
+"$COGNAC" +I- +W32 +H24 +FP <ball.pov 2>err && same stdin.ppm format_P.ppm "a name for standard input"
+
+status 0 ball.pov +W32 +H24 +FP +WT1 +Oone
+status 0 ball.pov +W32 +H24 +FP +WT3 +Othree
+same one.ppm three.ppm "one and three threads"
+
+# A part: its own pixels as in the whole, the rest black.
+status 0 ball.pov +W32 +H24 +SC9 +EC24 +SR0.25 +ER0.75 +Opart.png
+"$COMPARE" --crop 8,6,16,12 part.png plain.png | grep -qx 'MSE 0' || fail "the part differs from the whole"
+status 0 ball.pov +W32 +H24 +SC9 +EC8 +Oempty.png
+"$COMPARE" --crop 0,0,8,24 part.png empty.png | grep -qx 'MSE 0' || fail "not black beside the part"
+
+status 1 bad.pov +Obad
+status 1 bad.pov +Obad --stats bad.json
+[ ! -e bad.png ] && [ -z "$(ls | grep 'bad\.png')" ] || fail "a picture is left after an error: $(ls)"
+grep -q '"status": "failed"' bad.json || fail "no statistics of a failed run"
+mkdir ro && chmod 555 ro
+[ "$(id -u)" = 0 ] || status 1 ball.pov +Oro/x
+status 0 ball.pov -F --stats st.json
+for name in parse build trace rays peak_memory; do
+	grep -q "\"$name\"" st.json || fail "no $name in the statistics"
+done
+[ ! -e ball.png ] || fail "-F wrote a file"
+
+# What is already there stays until the new one is whole; +C leaves it alone.
+cp plain.png keep.png
+status 1 bad.pov +Okeep
+same keep.png plain.png "the old picture after an error"
+status 0 ball.pov +W8 +C +Okeep
+same keep.png plain.png "the old picture with +C"
+finish

@@ -1,0 +1,43 @@
+#!/bin/sh
+# The manual pages: clean for mandoc's lint, and their examples run as they stand.
+. "$SOURCES/tests/cli/common.sh"
+
+pages="cognac.1 cognac-compare.1 cognac-language.5"
+if command -v mandoc >/dev/null; then
+	for page in $pages; do
+		# Whether other pages are installed here is not this page's fault.
+		mandoc -T lint "$SOURCES/man/$page" 2>&1 | grep -v 'referenced manual not found\|mandoc.db' >lint
+		[ ! -s lint ] || fail "$(cat lint)"
+	done
+fi
+
+# The literal blocks below EXAMPLES, apart by lines of ---.
+examples()
+{
+	sed -n '/^\.Sh EXAMPLES/,/^\.Sh SEE/p' "$SOURCES/man/$1" |
+		sed -n '/^\.Bd/,/^\.Ed/{/^\.Bd/d;s/^\.Ed/---/;p;}'
+}
+
+# Each line of the examples of a page is a command.
+run_examples()
+{
+	examples "$1" | grep -v '^---' >commands
+	[ -s commands ] || fail "$1 has no examples"
+	while read -r line; do
+		sh -c "$line" >out 2>err </dev/null || fail "$1: $line: $(head -n 1 err)"
+	done <commands
+}
+
+mkdir bin
+ln -s "$COGNAC" bin/cognac
+ln -s "$COMPARE" bin/cognac-compare
+PATH=$work/bin:$PATH
+export PATH
+cp ball.pov scene.pov
+run_examples cognac.1
+cp scene.png a.png
+"$COGNAC" scene.pov +W160 +H120 +Q3 +Ob.png >out 2>err
+run_examples cognac-compare.1
+examples cognac-language.5 | sed '/^---/d' >language.pov
+status 0 language.pov
+finish
