@@ -74,7 +74,7 @@ static inline Value opaque_black(void) { return (Value){.kind = VALUE_COLOR, .si
 /* Start tokens: what this call reads. */
 %token S_ITEM       /* the next item of the scene */
 %token S_VALUE      /* what #declare gives a name */
-%token S_ARGUMENT   /* a macro's argument with the comma or parenthesis behind it */
+%token S_ARGUMENT   /* a macro's argument */
 %token S_EXPRESSION
 %token S_STRING     /* a string, without looking ahead */
 %token S_CONDITION  /* ( condition ) */
@@ -89,7 +89,7 @@ static inline Value opaque_black(void) { return (Value){.kind = VALUE_COLOR, .si
 %token LESS_EQUAL "'<='" GREATER_EQUAL "'>='" NOT_EQUAL "'!='"
 %token INVALID
 
-%type <value> expression condition string thing array function element_value argument call
+%type <value> expression condition string thing array function element_value call
 %type <nodes> nodes elements textures
 %type <node> node block texture braces entry element function_body
 %type <run> components arguments sizes
@@ -121,8 +121,7 @@ start:
 		FINISH();
 	  }
 	| S_VALUE element_value                 { reader->frame->value = $2; FINISH(); }
-	| S_ARGUMENT argument ','               { reader->frame->value = $2; FINISH(); }
-	| S_ARGUMENT argument ')'               { reader->frame->value = $2; reader->frame->closed = true; FINISH(); }
+	| S_ARGUMENT element_value                   { reader->frame->value = $2; FINISH(); }
 	| S_EXPRESSION expression               { reader->frame->value = $2; FINISH(); }
 	| S_STRING string                       { reader->frame->value = $2; FINISH(); }
 	| S_CONDITION '(' condition ')'         { reader->frame->value = $3; FINISH(); }
@@ -217,7 +216,6 @@ element:
 	;
 
 element_value: expression %prec LOW | thing;
-argument: condition | thing;
 
 string: VALUE | call;
 

@@ -37,10 +37,7 @@ static int read_parameters(Reader *reader, Name **parameters)
 			return -1;
 		}
 		parameters[count++] = name;
-		if (!source_accept_sign(reader, ',') && !ends_argument(source_peek(reader, 0))) {
-			diag_error(reader->context.diag, source_here(reader), "expected ',' or ')' after a parameter");
-			return -1;
-		}
+		source_accept_sign(reader, ',');
 	}
 	return count;
 }
@@ -90,19 +87,34 @@ static bool read_reference(Reader *reader, Argument *argument)
 	return false;
 }
 
+/* What follows an argument: true for another one, with or without a comma as POV-Ray takes them. */
+static bool goes_on(Reader *reader, bool *good)
+{
+	Semantic value;
+	Location where;
+	int kind = lexer_fetch(reader, &value, &where);
+	if (kind == READER_YYEOF && !reader->stopped)
+		diag_error(reader->context.diag, where, "the arguments of the macro are never closed");
+	if (kind == READER_YYEOF)
+		*good = false;
+	if (kind != ',' && kind != ')')
+		lexer_give_back(reader, kind, &value, where);
+	return kind != ')' && kind != READER_YYEOF;
+}
+
 /* True when another one follows. */
 static bool read_argument(Reader *reader, Argument *argument, bool *good)
 {
 	Frame frame;
 	*argument = (Argument){0};
-	if (read_reference(reader, argument)) {
+	if (!reader->has_ahead && read_reference(reader, argument)) {
 		*good = argument->reference != NULL;
 		bool more = source_accept_sign(reader, ',');
 		return more || !source_accept_sign(reader, ')');
 	}
 	*good = frame_parse(reader, S_ARGUMENT, FRAME_RUNS_ON, &frame);
 	argument->value = frame.value;
-	return !frame.closed && !(frame.failed && !*good && frame.value.kind == VALUE_NONE);
+	return (*good || frame.value.kind != VALUE_NONE) && goes_on(reader, good);
 }
 
 /* The number of arguments, at most limit of them kept; *good turns false after a report. */

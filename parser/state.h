@@ -98,7 +98,6 @@ struct Frame {
 	Node *nodes;
 	ValueRun run;
 	bool at_end;     /* no item is left */
-	bool closed;     /* an argument: ')' ended it, not ',' */
 	Frame *outer;
 };
 

@@ -59,6 +59,10 @@ static void test_macros(void)
 	check_scene("#macro M() scale 2 rotate #end box { 1 M() x }", "(box 1 scale 2 rotate <1,0,0>)\n");
 	check_scene("#macro F(N) #if (N <= 1) 1 #else N * F(N - 1) #end #end box { F(5) }", "(box 120)\n");
 	check_scene("#macro M(N) #local R = N * 2; R #end #local R = 1; #local Q = M(4); box { R Q }", "(box 1 8)\n");
+	check_scene("#macro M(A B,) box { A } box { B } #end #macro N() 1 #local T = 2; #end union { M(N() -2, 3) M(4 <1,2>) }",
+	            "(union (box -1) (box 3) (box 4) (box <1,2>))\n");
+	check_scene("#macro M() #local L = 5; L; #end #local Q = M() #if (Q = 5) box { Q } #end", "(box 5)\n");
+	check_scene("#macro M(T) box { T } #end #declare T = texture { } M(T)", "(box {a texture})\n");
 	check_scene("#macro M() #while (1) 1 #break #end #break 2 #end box { M() }", "(box 1)\n");
 }
 
