@@ -246,6 +246,8 @@ Value expression_apply(Context *context, Value callee, const Value *args, int co
 			return value_float(0);
 		}
 	}
+	if (callee.kind == VALUE_FUNCTION && function_is_approximate(callee.item))
+		diag_warning(context->diag, where, "this internal function is only approximated");
 	if (trees) {
 		bool vector = callee.kind != VALUE_FUNCTION;
 		Expression root = {.kind = vector ? EXPRESSION_VECTOR : EXPRESSION_FUNCTION, .callee = as_callee(context, callee)};

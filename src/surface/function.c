@@ -19,6 +19,11 @@ int function_arity(const Function *function)
 	return function->arity;
 }
 
+bool function_is_approximate(const Function *function)
+{
+	return function->approximate;
+}
+
 const Function *function_native(Arena *arena, int arity, FunctionNative *native, const void *data)
 {
 	Function *function = ARENA_NEW(arena, Function);

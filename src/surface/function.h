@@ -20,6 +20,9 @@ int function_arity(const Function *function);
 /* args holds function_arity values. */
 double function_eval(const Function *function, const double *args);
 
+/* True for the internal functions that are known to differ from POV-Ray's. */
+bool function_is_approximate(const Function *function);
+
 typedef double FunctionNative(const void *data, const double *args);
 
 /* data must outlive the function. */

@@ -52,6 +52,7 @@ struct Function {
 	const void *data;
 	const Instruction *code;
 	int code_length, register_count;
+	bool approximate; /* an internal function that is not quite POV-Ray's */
 	bool straight; /* no jumps: can be taken into other programs */
 };
 

@@ -1,5 +1,6 @@
 #include "surface/function_internal.h"
 
+#include "surface/function_code.h"
 #include "surface/function_natives.h"
 
 double function_internal_limit(double value)
@@ -15,6 +16,14 @@ static const InternalFunction *find_in(const InternalFunction *rows, int number)
 	return NULL;
 }
 
+static const Function *make_function(Arena *arena, const InternalFunction *row, int noise_generator)
+{
+	Function *function = ARENA_NEW(arena, Function);
+	*function = (Function){.arity = 3 + row->parameters, .native = row->eval, .approximate = row->approximate,
+	                       .data = arena_copy(arena, &noise_generator, sizeof noise_generator)};
+	return function;
+}
+
 const Function *function_internal_find(Arena *arena, int number, int noise_generator)
 {
 	const InternalFunction *const families[] = {
@@ -24,8 +33,7 @@ const Function *function_internal_find(Arena *arena, int number, int noise_gener
 	for (size_t i = 0; i < sizeof families / sizeof families[0]; i++) {
 		const InternalFunction *row = find_in(families[i], number);
 		if (row)
-			return function_native(arena, 3 + row->parameters, row->eval,
-			                       arena_copy(arena, &noise_generator, sizeof noise_generator));
+			return make_function(arena, row, noise_generator);
 	}
 	return NULL;
 }

@@ -13,6 +13,7 @@ typedef struct InternalFunction {
 	int number;     /* of internal() */
 	int parameters; /* beside x, y, z */
 	FunctionNative *eval;
+	bool approximate; /* not what POV-Ray computes, only near it */
 } InternalFunction;
 
 /* Each ends with a row whose eval is NULL. */

@@ -297,15 +297,15 @@ static double enneper(const void *data, const double *a)
 }
 
 const InternalFunction function_internal_algebra[] = {
-	{4, 2, bicorn}, {5, 2, bifolia}, {8, 2, boy_surface}, {11, 1, crossed_trough},
-	{12, 1, cubic_saddle}, {13, 1, cushion}, {14, 1, devils_curve}, {16, 6, dupin_cyclid},
-	{18, 1, enneper}, {20, 3, folium_surface}, {22, 1, glob}, {23, 1, heart},
-	{30, 1, hunt_surface}, {31, 3, hyperbolic_torus}, {33, 3, kampyle_of_eudoxus},
-	{35, 1, klein_bottle}, {36, 1, kummer_surface_v1}, {37, 4, kummer_surface_v2},
-	{38, 1, lemniscate_of_gerono}, {41, 1, mitre}, {42, 1, nodal_cubic}, {43, 1, cushion},
-	{44, 4, ovals_of_cassini}, {45, 1, paraboloid}, {46, 3, parabolic_torus},
-	{48, 1, pillow}, {49, 1, piriform}, {54, 1, quartic_paraboloid},
-	{55, 1, quartic_saddle}, {56, 3, quartic_cylinder}, {65, 1, steiners_roman},
-	{66, 4, strophoid}, {72, 1, torus_gumdrop}, {73, 1, umbrella},
-	{74, 2, witch_of_agnesi}, {0, 0, NULL},
+	{4, 2, bicorn, false}, {5, 2, bifolia, false}, {8, 2, boy_surface, false}, {11, 1, crossed_trough, false},
+	{12, 1, cubic_saddle, false}, {13, 1, cushion, false}, {14, 1, devils_curve, false}, {16, 6, dupin_cyclid, false},
+	{18, 1, enneper, false}, {20, 3, folium_surface, false}, {22, 1, glob, false}, {23, 1, heart, false},
+	{30, 1, hunt_surface, false}, {31, 3, hyperbolic_torus, false}, {33, 3, kampyle_of_eudoxus, false},
+	{35, 1, klein_bottle, false}, {36, 1, kummer_surface_v1, false}, {37, 4, kummer_surface_v2, false},
+	{38, 1, lemniscate_of_gerono, false}, {41, 1, mitre, false}, {42, 1, nodal_cubic, false}, {43, 1, cushion, false},
+	{44, 4, ovals_of_cassini, false}, {45, 1, paraboloid, false}, {46, 3, parabolic_torus, false},
+	{48, 1, pillow, false}, {49, 1, piriform, false}, {54, 1, quartic_paraboloid, false},
+	{55, 1, quartic_saddle, false}, {56, 3, quartic_cylinder, false}, {65, 1, steiners_roman, false},
+	{66, 4, strophoid, false}, {72, 1, torus_gumdrop, false}, {73, 1, umbrella, false},
+	{74, 2, witch_of_agnesi, false}, {0, 0, NULL, false},
 };

@@ -85,6 +85,6 @@ static double quantum(const void *data, const double *a)
 }
 
 const InternalFunction function_internal_blobs[] = {
-	{6, 5, blob}, {7, 4, blob2}, {10, 4, cross_ellipsoids}, {19, 4, flange_cover}, {32, 4, isect_ellipsoids},
-	{53, 1, quantum}, {62, 5, spikes}, {63, 4, spikes_2d}, {0, 0, NULL},
+	{6, 5, blob, false}, {7, 4, blob2, false}, {10, 4, cross_ellipsoids, false}, {19, 4, flange_cover, false}, {32, 4, isect_ellipsoids, false},
+	{53, 1, quantum, false}, {62, 5, spikes, false}, {63, 4, spikes_2d, false}, {0, 0, NULL, false},
 };

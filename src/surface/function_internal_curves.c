@@ -174,6 +174,6 @@ static double comma(const void *data, const double *a)
 }
 
 const InternalFunction function_internal_curves[] = {
-	{9, 1, comma}, {24, 10, helical_torus}, {25, 7, helix1}, {26, 7, helix2}, {27, 1, hex_x}, {28, 1, hex_y},
-	{40, 5, mesh1}, {51, 5, poly4}, {52, 6, polytubes}, {64, 6, spiral}, {0, 0, NULL},
+	{9, 1, comma, true}, {24, 10, helical_torus, true}, {25, 7, helix1, false}, {26, 7, helix2, false}, {27, 1, hex_x, false}, {28, 1, hex_y, false},
+	{40, 5, mesh1, false}, {51, 5, poly4, false}, {52, 6, polytubes, false}, {64, 6, spiral, false}, {0, 0, NULL, false},
 };

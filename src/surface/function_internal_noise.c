@@ -107,5 +107,5 @@ static double ridge(const void *data, const double *a)
 }
 
 const InternalFunction function_internal_noise[] = {
-	{29, 6, hetero_mf}, {58, 6, ridge}, {59, 6, ridged_mf}, {76, 0, noise3d}, {78, 1, noise_generator}, {0, 0, NULL},
+	{29, 6, hetero_mf, false}, {58, 6, ridge, false}, {59, 6, ridged_mf, false}, {76, 0, noise3d, false}, {78, 1, noise_generator, false}, {0, 0, NULL, false},
 };

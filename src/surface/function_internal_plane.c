@@ -117,7 +117,7 @@ static double witch_of_agnesi_2d(const void *data, const double *a)
 }
 
 const InternalFunction function_internal_plane[] = {
-	{0, 5, algbr_cyl1}, {1, 5, algbr_cyl2}, {2, 5, algbr_cyl3}, {3, 5, algbr_cyl4}, {15, 6, devils_curve_2d},
-	{21, 6, folium_surface_2d}, {34, 6, kampyle_of_eudoxus_2d}, {39, 6, lemniscate_of_gerono_2d},
-	{50, 7, piriform_2d}, {67, 7, strophoid_2d}, {75, 6, witch_of_agnesi_2d}, {0, 0, NULL},
+	{0, 5, algbr_cyl1, false}, {1, 5, algbr_cyl2, false}, {2, 5, algbr_cyl3, false}, {3, 5, algbr_cyl4, false}, {15, 6, devils_curve_2d, false},
+	{21, 6, folium_surface_2d, false}, {34, 6, kampyle_of_eudoxus_2d, false}, {39, 6, lemniscate_of_gerono_2d, false},
+	{50, 7, piriform_2d, false}, {67, 7, strophoid_2d, false}, {75, 6, witch_of_agnesi_2d, false}, {0, 0, NULL, false},
 };
