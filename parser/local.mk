@@ -7,4 +7,4 @@ libparser_a_SOURCES = parser/reader.c parser/reader.h parser/state.h parser/gram
 
 # Made by bison first: the scanner and others include it.
 BUILT_SOURCES += parser/grammar.h
-parser/scanner.$(OBJEXT): parser/grammar.h
+$(libparser_a_OBJECTS) tests/unit/test_scanner.$(OBJEXT): parser/grammar.h
