@@ -22,16 +22,16 @@ background { color rgb <0.012, 0.010, 0.009> }
 // The evening sun through a window behind, to the left: strong, small, low.
 light_source {
   <-42, 46, 38>
-  color rgb <1.00, 0.90, 0.74> * 2.1
+  color rgb <1.00, 0.90, 0.74> * 2.4
   spotlight point_at <1, 2, 0> radius 14 falloff 26
   photons { refraction on reflection on }
 }
 
-// The room's own light, from the front and soft.
+// The room's own light, from the front, too soft to throw shadows.
 light_source {
   <38, 42, -60>
-  color rgb <0.55, 0.63, 0.80> * 0.42
-  area_light <14, 0, 0>, <0, 14, 0>, 4, 4 adaptive 1 jitter orient circular
+  color rgb <0.55, 0.63, 0.80> * 0.6
+  shadowless
   photons { refraction off reflection off }
 }
 

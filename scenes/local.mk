@@ -1,1 +1,1 @@
-EXTRA_DIST += scenes/cognac.pov
+EXTRA_DIST += scenes/cognac.pov scenes/cognac.png
