@@ -233,6 +233,7 @@ static bool take_raster(Cursor *inside, Word kind, ImageMap *map)
 const ImageMap *build_image(Cursor *inside, Word kind, double *bump_size)
 {
 	ImageMap *map = ARENA_NEW(inside->context->builder->arena, ImageMap);
+	map->use_color = kind != W_material_map;
 	/* Old scenes put modifiers before the file. */
 	while (take_image_modifier(inside, map, bump_size))
 		;

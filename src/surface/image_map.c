@@ -192,15 +192,30 @@ double image_map_gray(const ImageMap *map, Vec3 p)
 	return map_place(map, p, &place) ? map_read(map, pixel_number, place).r : 0;
 }
 
+/* The height some pixels away, round the edge. */
+static double height_at(const ImageMap *map, Place place, double right, double down)
+{
+	place.x += right;
+	place.y += down;
+	if (map->interpolation == IMAGE_INTERPOLATION_NONE) {
+		place.x -= floor(place.x / map->width) * map->width;
+		place.y -= floor(place.y / map->height) * map->height;
+	}
+	return map_read(map, pixel_number, place).r;
+}
+
+/* POV-Ray lays a triangle over the pixel and the lower left and right neighbours, and tilts the normal towards its plane in a frame
+ * whose right is n x y and whose up is right x n. */
 Vec3 image_map_bump(const ImageMap *map, Vec3 p, double amount, Vec3 n)
 {
 	Place place;
 	if (!map_place(map, p, &place))
 		return n;
-	double here = map_read(map, pixel_number, place).r;
-	double right = map_read(map, pixel_number, (Place){place.x + 1, place.y}).r;
-	double up = map_read(map, pixel_number, (Place){place.x, place.y - 1}).r;
-	Vec3 u, v;
-	vec3_frame(n, &u, &v);
-	return vec3_add(n, vec3_add(vec3_scale(u, -amount * (right - here)), vec3_scale(v, -amount * (up - here))));
+	double here = height_at(map, place, 0, 0);
+	double left = height_at(map, place, -1, 1), right = height_at(map, place, 1, 1);
+	Vec3 across = vec3_cross(n, vec3(0, 1, 0));
+	across = vec3_length2(across) < 1e-12 ? vec3(1, 0, 0) : vec3_normalize(across);
+	Vec3 up = vec3_cross(across, n);
+	Vec3 bent = vec3_mad(n, -amount * (right - left) / 2, across);
+	return vec3_mad(bent, amount * ((left + right) / 2 - here), up);
 }
