@@ -147,7 +147,7 @@ static void look_at(CameraReading *reading)
 	across = vec3_normalize(across);
 	camera->direction = vec3_scale(view, depth);
 	camera->up = vec3_scale(vec3_cross(view, across), up);
-	camera->right = vec3_scale(across, handedness < 0 ? -right : right);
+	camera->right = vec3_scale(across, handedness > 0 ? right : -right);
 }
 
 /* Without a size of its own, or with an angle, an orthographic camera sees at look_at what a perspective one would. */

@@ -87,9 +87,41 @@ static bool sor_bounds(const void *data, Box3 *box)
 	return true;
 }
 
+/* Narrows a range of t to where lo <= o + t d <= hi. */
+static void narrow(double range[2], double o, double d, double lo, double hi)
+{
+	double a = (lo - o) / d, b = (hi - o) / d;
+	if (d == 0 && (o < lo || o > hi))
+		range[1] = -INFINITY;
+	if (d == 0)
+		return;
+	range[0] = fmax(range[0], fmin(a, b));
+	range[1] = fmin(range[1], fmax(a, b));
+}
+
+/* Where the ray is in the box around a piece; a little wider, since roots are looked for strictly inside. */
+static bool piece_range(const Sor *sor, const Piece *piece, const Ray *ray, double range[2])
+{
+	range[0] = ray->tmin;
+	range[1] = ray->tmax;
+	narrow(range, ray->origin.y, ray->direction.y, piece->low, piece->high);
+	narrow(range, ray->origin.x, ray->direction.x, -sor->radius, sor->radius);
+	narrow(range, ray->origin.z, ray->direction.z, -sor->radius, sor->radius);
+	if (!(range[0] <= range[1]))
+		return false;
+	double slack = 1e-9 * (fabs(range[0]) + fabs(range[1]));
+	range[0] = fmax(range[0] - slack, ray->tmin);
+	range[1] = fmin(range[1] + slack, ray->tmax);
+	return true;
+}
+
 static void cross_piece(const Shape *self, const Ray *ray, int number, HitList *out)
 {
-	const Piece *piece = &((const Sor *)self->data)->pieces[number];
+	const Sor *sor = self->data;
+	const Piece *piece = &sor->pieces[number];
+	double range[2];
+	if (!piece_range(sor, piece, ray, range))
+		return;
 	Vec3 o = ray->origin, d = ray->direction;
 	double w = o.y - piece->low, dy = d.y;
 	const double *f = piece->f;
@@ -101,7 +133,7 @@ static void cross_piece(const Shape *self, const Ray *ray, int number, HitList *
 		dy * dy * dy * f[3],
 	};
 	double roots[3];
-	int found = polynomial_roots(p, 3, ray->tmin, ray->tmax, roots);
+	int found = polynomial_roots(p, 3, range[0], range[1], roots);
 	for (int i = 0; i < found; i++) {
 		double y = o.y + roots[i] * dy;
 		if (y >= piece->low && y < piece->high)
@@ -122,14 +154,9 @@ static void cross_cap(const Shape *self, const Ray *ray, int cap, HitList *out)
 static void sor_intersect(const Shape *self, const Ray *ray, HitList *out)
 {
 	const Sor *sor = self->data;
-	double dy = ray->direction.y, oy = ray->origin.y;
-	for (int i = 0; i < sor->count; i++) {
-		double a = (sor->pieces[i].low - oy) / dy, b = (sor->pieces[i].high - oy) / dy;
-		if (dy == 0 ? oy >= sor->pieces[i].low && oy < sor->pieces[i].high
-		            : fmax(a, b) > ray->tmin && fmin(a, b) < ray->tmax)
-			cross_piece(self, ray, i, out);
-	}
-	if (dy != 0) {
+	for (int i = 0; i < sor->count; i++)
+		cross_piece(self, ray, i, out);
+	if (ray->direction.y != 0) {
 		cross_cap(self, ray, CAP_LOW, out);
 		cross_cap(self, ray, CAP_HIGH, out);
 	}

@@ -142,6 +142,14 @@ static double kerning(FT_Face face, FT_UInt left, FT_UInt right)
 	return (double)delta.x / face->units_per_EM;
 }
 
+/* Where the loaded glyph's outline begins beside its origin, in em. */
+static double left_edge(FT_Face face)
+{
+	FT_BBox box;
+	FT_Outline_Get_CBox(&face->glyph->outline, &box);
+	return (double)box.xMin / face->units_per_EM;
+}
+
 static Text *lay_out(Arena *arena, FT_Face face, const TextDesc *desc)
 {
 	Text *text = ARENA_NEW(arena, Text);
@@ -150,10 +158,13 @@ static Text *lay_out(Arena *arena, FT_Face face, const TextDesc *desc)
 	text->box = box3_empty();
 	Vec2 origin = {0, 0};
 	for (FT_UInt last = 0, glyph; *at; last = glyph) {
+		bool first = at == (const unsigned char *)desc->text;
 		glyph = glyph_of(face, next_code(&at));
 		if (FT_Load_Glyph(face, glyph, FT_LOAD_NO_SCALE | FT_LOAD_NO_BITMAP) != 0)
 			continue;
 		FT_Outline *outline = &face->glyph->outline;
+		if (first && outline->n_points > 0)
+			origin.u = -left_edge(face); /* the first letter's outline begins at 0 */
 		Pen pen = {.scale = 1.0 / face->units_per_EM, .origin = origin};
 		pen.origin.u += kerning(face, last, glyph);
 		/* every point starts at most one segment, every contour needs one more to close */
