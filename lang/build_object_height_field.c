@@ -9,13 +9,14 @@
 
 enum { RESOLUTION_MAX = 16384 };
 
-/* The words before a file name say its type; the file's content says it better. */
-static void skip_type(Cursor *cursor)
+/* The words before a file name say its type; the file's content says it better, but for Fractint's pot: true for that. */
+static bool accept_type(Cursor *cursor)
 {
 	static const Word types[] = {W_exr, W_gif, W_hdr, W_iff, W_jpeg, W_pgm, W_png, W_pot, W_ppm, W_sys, W_tga, W_tiff, W_bmp};
 	for (size_t i = 0; i < sizeof types / sizeof *types; i++)
 		if (cursor_accept_word(cursor, types[i]))
-			return;
+			return types[i] == W_pot;
+	return false;
 }
 
 /* A palette image holds heights as indices, a grey one as its values; a colour one in its red (high) and green (low) bytes. */
@@ -40,6 +41,19 @@ static const float *image_heights(Arena *arena, const Image *image)
 	return heights;
 }
 
+/* A pot file is a GIF whose left half holds the high bytes, its right half the low ones. */
+static const float *pot_heights(Arena *arena, const Image *image)
+{
+	size_t width = (size_t)image->width / 2, depth = (size_t)image->height;
+	float *heights = arena_alloc(arena, width * depth * sizeof *heights);
+	for (size_t z = 0; z < depth; z++) {
+		const uint8_t *row = image->indices + (depth - 1 - z) * (size_t)image->width;
+		for (size_t x = 0; x < width; x++)
+			heights[z * width + x] = (float)((row[x] * 256 + row[x + width]) / 65535.0);
+	}
+	return heights;
+}
+
 /* gamma number, gamma srgb, premultiplied on: after the file's name. */
 static void read_image_words(Cursor *cursor, Image *image)
 {
@@ -60,7 +74,7 @@ static void read_image_words(Cursor *cursor, Image *image)
 	}
 }
 
-static bool read_file(Cursor *cursor, HeightFieldDesc *desc)
+static bool read_file(Cursor *cursor, bool pot, HeightFieldDesc *desc)
 {
 	Context *context = cursor->context;
 	Location where = cursor_where(cursor);
@@ -75,9 +89,10 @@ static bool read_file(Cursor *cursor, HeightFieldDesc *desc)
 	read_image_words(cursor, image);
 	if (!image)
 		return false;
-	desc->width = image->width;
+	pot = pot && image->indices;
+	desc->width = pot ? image->width / 2 : image->width;
 	desc->depth = image->height;
-	desc->heights = image_heights(context->builder->arena, image);
+	desc->heights = (pot ? pot_heights : image_heights)(context->builder->arena, image);
 	image_destroy(image);
 	return true;
 }
@@ -122,9 +137,9 @@ bool build_height_field(Cursor *cursor, Object *object)
 {
 	HeightFieldDesc desc = {0};
 	const char *error = NULL;
-	skip_type(cursor);
+	bool pot = accept_type(cursor);
 	const Node *function = cursor_accept_block(cursor, W_function);
-	bool good = function ? read_function(cursor, function, &desc) : read_file(cursor, &desc);
+	bool good = function ? read_function(cursor, function, &desc) : read_file(cursor, pot, &desc);
 	for (;;) {
 		if (cursor_accept_word(cursor, W_smooth))
 			desc.smooth = cursor_optional_bool(cursor);
