@@ -141,12 +141,13 @@ static Rgbft read_corners(const ImageMap *map, PixelReader *read, int x, int y, 
 	return sum;
 }
 
+/* A border between rows belongs to the upper one: POV-Ray counts rows upwards. */
+static int nearest_row(double y) { return (int)ceil(y) - 1; }
+
 static Rgbft map_read(const ImageMap *map, PixelReader *read, Place place)
 {
-	if (map->interpolation == IMAGE_INTERPOLATION_NONE) {
-		int x = (int)floor(place.x), y = (int)floor(place.y);
-		return read(map, x < map->width ? x : map->width - 1, y < map->height ? y : map->height - 1);
-	}
+	if (map->interpolation == IMAGE_INTERPOLATION_NONE)
+		return read(map, (int)floor(place.x), nearest_row(place.y));
 	double x = floor(place.x - 0.5), y = floor(place.y - 0.5);
 	Place t = {place.x - 0.5 - x, place.y - 0.5 - y};
 	if (map->interpolation == IMAGE_INTERPOLATION_BICUBIC)
@@ -169,7 +170,7 @@ int image_map_index(const ImageMap *map, Vec3 p)
 	Place place;
 	if (!map_place(map, p, &place))
 		return 0;
-	int x = (int)fmin(floor(place.x), map->width - 1), y = (int)fmin(floor(place.y), map->height - 1);
+	int x = (int)floor(place.x), y = nearest_row(place.y);
 	size_t at = pixel_offset(map, x, y);
 	if (map->indices && !map->use_color)
 		return map->indices[at];
@@ -192,30 +193,25 @@ double image_map_gray(const ImageMap *map, Vec3 p)
 	return map_place(map, p, &place) ? map_read(map, pixel_number, place).r : 0;
 }
 
-/* The height some pixels away, round the edge. */
-static double height_at(const ImageMap *map, Place place, double right, double down)
+/* Across and up on the surface with unit normal n, as the image lies on it. */
+static void bump_frame(Vec3 n, Vec3 *across, Vec3 *up)
 {
-	place.x += right;
-	place.y += down;
-	if (map->interpolation == IMAGE_INTERPOLATION_NONE) {
-		place.x -= floor(place.x / map->width) * map->width;
-		place.y -= floor(place.y / map->height) * map->height;
-	}
-	return map_read(map, pixel_number, place).r;
+	double length = sqrt(n.x * n.x + n.z * n.z);
+	*across = length > 1e-10 ? vec3(-n.z / length, 0, n.x / length) : vec3(1, 0, 0);
+	*up = vec3_cross(*across, n);
 }
 
-/* POV-Ray lays a triangle over the pixel and the lower left and right neighbours, and tilts the normal towards its plane in a frame
- * whose right is n x y and whose up is right x n. */
+/* Slopes from the pixel and the two that stand diagonally below it. */
 Vec3 image_map_bump(const ImageMap *map, Vec3 p, double amount, Vec3 n)
 {
 	Place place;
 	if (!map_place(map, p, &place))
 		return n;
-	double here = height_at(map, place, 0, 0);
-	double left = height_at(map, place, -1, 1), right = height_at(map, place, 1, 1);
-	Vec3 across = vec3_cross(n, vec3(0, 1, 0));
-	across = vec3_length2(across) < 1e-12 ? vec3(1, 0, 0) : vec3_normalize(across);
-	Vec3 up = vec3_cross(across, n);
-	Vec3 bent = vec3_mad(n, -amount * (right - left) / 2, across);
-	return vec3_mad(bent, amount * ((left + right) / 2 - here), up);
+	double here = map_read(map, pixel_number, place).r;
+	double left = map_read(map, pixel_number, (Place){place.x - 1, place.y + 1}).r;
+	double right = map_read(map, pixel_number, (Place){place.x + 1, place.y + 1}).r;
+	Vec3 across, up;
+	bump_frame(n, &across, &up);
+	n = vec3_mad(n, -amount * (right - left) / 2, across);
+	return vec3_mad(n, amount * ((left + right) / 2 - here), up);
 }

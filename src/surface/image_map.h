@@ -59,7 +59,8 @@ bool image_map_color(const ImageMap *map, Vec3 p, Rgbft *color);
 int image_map_index(const ImageMap *map, Vec3 p);
 /* image_pattern: grey or alpha at p, in [0, 1]; 0 outside. */
 double image_map_gray(const ImageMap *map, Vec3 p);
-/* bump_map: the normal n bent by the map's slopes at p (pattern space), amount is bump_size. Not normalised to unit. */
+/* bump_map: the normal n bent by the map's slopes at p (pattern space), amount is bump_size; n is unit, the
+ * result is not. */
 Vec3 image_map_bump(const ImageMap *map, Vec3 p, double amount, Vec3 n);
 
 #endif

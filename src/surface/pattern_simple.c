@@ -104,19 +104,19 @@ static double quilt_slope(double t, double control0, double control1)
 	return 3 * t * u * u * control0 + 3 * t * t * u * control1 + t * t * t;
 }
 
-/* Where in its unit cube the point lies, from the middle, scaled by the gouge. */
+/* Where in its unit cube the point lies, from the middle, as a share of half the diagonal, scaled by the gouge. */
 static Vec3 quilt_vector(const Pattern *pattern, Vec3 p)
 {
 	const QuiltedData *data = pattern->data;
 	Vec3 v = vec3(p.x - floor(p.x) - 0.5, p.y - floor(p.y) - 0.5, p.z - floor(p.z) - 0.5);
 	double t = quilt_slope(vec3_length(v), data ? (float)data->control0 : 1, data ? (float)data->control1 : 1);
-	return vec3_scale(v, t);
+	return vec3_scale(v, t * 2 / sqrt(3));
 }
 
 static double value_quilted(const Pattern *pattern, const SurfacePoint *at)
 {
 	Vec3 v = quilt_vector(pattern, at->p);
-	return (fabs(v.x) + fabs(v.y) + fabs(v.z)) * 2 / (3 * sqrt(3));
+	return (fabs(v.x) + fabs(v.y) + fabs(v.z)) / 3;
 }
 
 static void bump_quilted(const Pattern *pattern, const SurfacePoint *at, double amount, Vec3 *normal)
