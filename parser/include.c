@@ -6,6 +6,7 @@
 #include <strings.h>
 #include <sys/stat.h>
 
+#include "lang/files.h"
 #include "parser/link.h"
 #include "parser/state.h"
 
@@ -168,6 +169,8 @@ bool include_file(Reader *reader, const char *name, Location where)
 		diag_error(reader->context.diag, where, "cannot find the file '%s' to include", name);
 		return false;
 	}
+	if (!is_main && !files_may_read(&reader->context, path, where))
+		return false;
 	const Expansion *via = is_main ? NULL : source_expansion(reader, where, NULL);
 	TokenFile *file = load(reader, path, at, via);
 	return file && source_push(reader, (Source){SOURCE_FILE, file, 0, file->count, via}, where);

@@ -41,6 +41,8 @@ static void set_context(Reader *reader, const ReaderOptions *options, SceneBuild
 		.image_height = options->image_height,
 		.version = options->version > 0 ? options->version : 3.7,
 		.allow_write_anywhere = options->allow_write_anywhere,
+		.read_paths = options->allowed_read_paths,
+		.read_path_count = options->allowed_read_path_count,
 	};
 	set_library_paths(&reader->context, options);
 	reader->context.symbols = reader->symbols = symbols_create(builder->arena);
