@@ -14,21 +14,52 @@ static float mean(Rgb color)
 
 /* ---- sky ---- */
 
+/* What the layers of the sky so far let through. */
+typedef struct SkyPassage {
+	Rgb through;  /* of the background, and of a lower layer's light */
+	Rgbft legacy; /* the same as scenes before version 3.7 count it: product of colours, filters, transmits */
+} SkyPassage;
+
+static void pass_sky(SkyPassage *passage, Rgbft color, bool legacy)
+{
+	Rgbft product = passage->legacy;
+	passage->legacy = rgbft(product.r * color.r, product.g * color.g, product.b * color.b,
+	                        product.filter * color.filter, product.transmit * color.transmit);
+	passage->through = rgb_mul(passage->through, rgbft_transmittance(color));
+	if (legacy)
+		passage->through = rgbft_transmittance(passage->legacy);
+}
+
+/* Old scenes' clouds do not tint what lies under them, they only weaken it. */
+static Rgb layer_share(const SkyPassage *passage, bool first, bool legacy)
+{
+	if (!legacy || first)
+		return passage->through;
+	return rgb_all(fminf(fabsf(passage->legacy.filter) + fabsf(passage->legacy.transmit), 1));
+}
+
+static Rgb sky_layers(const SkySphere *sky, Vec3 direction, bool legacy, Rgb *through)
+{
+	Vec3 p = transform_vector_inverse(&sky->transform, direction);
+	SurfacePoint at = {.p = p, .world = p, .normal = direction, .direction = direction};
+	SkyPassage passage = {{1, 1, 1}, {1, 1, 1, 1, 1}};
+	Rgb sum = {0, 0, 0};
+	for (int i = sky->count - 1; i >= 0; i--) {
+		Rgbft color = pigment_color(sky->pigments[i], &at);
+		Rgb own = rgb_scale(rgb_mul(rgbft_rgb(color), sky->emission), 1 - color.filter - color.transmit);
+		sum = rgb_add(sum, rgb_mul(own, layer_share(&passage, i == sky->count - 1, legacy)));
+		pass_sky(&passage, color, legacy);
+	}
+	*through = passage.through;
+	return sum;
+}
+
 Seen atmosphere_sky(const Tracer *tracer, Vec3 direction)
 {
 	const Scene *scene = tracer->scene;
-	const SkySphere *sky = scene->sky_sphere;
 	Rgb through = {1, 1, 1}, sum = {0, 0, 0};
-	if (sky) {
-		Vec3 p = transform_vector_inverse(&sky->transform, direction);
-		SurfacePoint at = {.p = p, .world = p, .normal = direction, .direction = direction};
-		for (int i = sky->count - 1; i >= 0; i--) {
-			Rgbft color = pigment_color(sky->pigments[i], &at);
-			Rgb own = rgb_scale(rgb_mul(rgbft_rgb(color), sky->emission), rgbft_opacity(color));
-			sum = rgb_add(sum, rgb_mul(own, through));
-			through = rgb_mul(through, rgbft_transmittance(color));
-		}
-	}
+	if (scene->sky_sphere)
+		sum = sky_layers(scene->sky_sphere, direction, tracer->legacy, &through);
 	if (!tracer->alpha)
 		return (Seen){rgb_add(sum, rgb_mul(through, rgbft_rgb(scene->background))), 0};
 	Rgb own = rgb_scale(rgbft_rgb(scene->background), rgbft_opacity(scene->background));

@@ -95,7 +95,7 @@ static Seen shade_stack(Tracer *tracer, const PathRay *path, const ShadePoint *p
 	BsdfPlace place = {
 		.from = vec3_neg(path->ray.direction), .geometric = point->at.normal,
 		.ior = inside_ratio(&path->inside, point->surface), .both_sides = point->surface->double_illuminate,
-		.irid_wavelength = tracer->scene->settings.irid_wavelength,
+		.legacy = tracer->legacy, .irid_wavelength = tracer->scene->settings.irid_wavelength,
 		.cutoff = tracer->scene->settings.adc_bailout,
 	};
 	bool grainy = false;
@@ -105,7 +105,7 @@ static Seen shade_stack(Tracer *tracer, const PathRay *path, const ShadePoint *p
 	Bsdf bsdf;
 	bsdf_init(&bsdf, &shading->layers[stack->first], stack->count, &place);
 	LitPoint lit = {point->at.world, point->surface, &path->inside};
-	Seen sum = {bsdf_emission(&bsdf, tracer->scene->settings.ambient_light), 0};
+	Seen sum = {bsdf_emission(&bsdf, tracer->ambient_light), 0};
 	sum.color = rgb_add(sum.color, lighting_at(tracer, &lit, &bsdf));
 	if (!tracer->quality.scatter)
 		return sum;
@@ -209,6 +209,12 @@ static Quality quality_of(int level)
 	};
 }
 
+/* Radiosity replaces ambient light in scenes since version 3.7. */
+static Rgb ambient_light(const Settings *settings)
+{
+	return settings->has_radiosity && settings->version >= 3.7 ? rgb_all(0) : settings->ambient_light;
+}
+
 void tracer_init(Tracer *tracer, const Scene *scene, const RenderOptions *options)
 {
 	size_t grid = 1;
@@ -218,7 +224,8 @@ void tracer_init(Tracer *tracer, const Scene *scene, const RenderOptions *option
 			grid = (size_t)light->size1 * (size_t)light->size2;
 	}
 	*tracer = (Tracer){
-		.scene = scene, .quality = quality_of(options->quality), .alpha = options->alpha,
+		.scene = scene, .legacy = scene->settings.version < 3.7,
+		.ambient_light = ambient_light(&scene->settings), .quality = quality_of(options->quality), .alpha = options->alpha,
 		.blockers = memory_alloc(sizeof *tracer->blockers * (size_t)(scene->light_count + 1)),
 		.grid = memory_alloc(sizeof *tracer->grid * grid),
 		.grid_known = memory_alloc(sizeof *tracer->grid_known * grid),

@@ -24,6 +24,8 @@ typedef struct Quality {
 typedef struct Tracer {
 	const Scene *scene;
 	Quality quality;
+	bool legacy;             /* a scene before version 3.7 */
+	Rgb ambient_light;
 	bool alpha;              /* keep the background transparent */
 	const Shape **blockers;  /* per light: what shadowed the last point; a hint, no result depends on it */
 	Rgb *grid;               /* visibility of the points of the largest area light */

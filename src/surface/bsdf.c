@@ -68,6 +68,12 @@ static Rgb layer_mirror(const BsdfLayer *layer, Vec3 from, double ior)
 	return mirror;
 }
 
+/* Under 0 it subtracts: scenes use that. Scenes before version 3.7 count a filter by its brightest part; measured. */
+static float layer_opacity(Rgbft color, bool legacy)
+{
+	return 1 - color.filter * (legacy ? rgb_max(rgbft_rgb(color)) : 1) - color.transmit;
+}
+
 /* A normal that bumps turned away from the viewer is still taken as it is: POV-Ray does. */
 static void init_layer(Bsdf *bsdf, const ShadingLayer *from, const BsdfPlace *place)
 {
@@ -76,7 +82,7 @@ static void init_layer(Bsdf *bsdf, const ShadingLayer *from, const BsdfPlace *pl
 	layer->normal = from->normal;
 	layer->color = rgbft_rgb(from->color);
 	layer->above = bsdf->through;
-	layer->opacity = rgbft_opacity(from->color);
+	layer->opacity = layer_opacity(from->color, place->legacy);
 	layer->grain = (float)(from->finish->crand * place->grain);
 	layer->mirror = layer_mirror(layer, place->from, place->ior);
 	Rgb through = rgbft_transmittance(from->color);

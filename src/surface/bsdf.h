@@ -45,6 +45,7 @@ typedef struct BsdfPlace {
 	Vec3 from, geometric;
 	double ior;
 	bool both_sides;
+	bool legacy;       /* a scene before version 3.7: a filter leaves more of the surface's own light */
 	Rgb irid_wavelength;
 	double grain;      /* a random number in [0, 1) for crand */
 	double cutoff;     /* layers under one that lets less than this through are left out */
