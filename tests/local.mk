@@ -41,3 +41,6 @@ EXTRA_DIST += tests/bench/language.sh
 bench-language: cognac$(EXEEXT)
 	COGNAC=./cognac bash $(srcdir)/tests/bench/language.sh
 .PHONY: bench-language
+
+clean-local:
+	-rm -rf povray-cache
