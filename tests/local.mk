@@ -32,6 +32,9 @@ check-povray: cognac$(EXEEXT) cognac-compare$(EXEEXT)
 	python3 $(srcdir)/tests/povray/samples.py --cognac ./cognac --compare ./cognac-compare $(SAMPLES_FLAGS)
 .PHONY: check-povray
 
+# How the figures of the pattern tests were measured.
+EXTRA_DIST += tests/measure_noise.py tests/measure_patterns.sh
+
 # Golden tests of error messages.
 check_SCRIPTS += tests/errors.sh
 EXTRA_DIST += tests/errors.sh tests/errors

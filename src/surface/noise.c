@@ -2,7 +2,7 @@
  * Gradient noise on a lattice of unit cubes (Perlin, "An Image Synthesizer", SIGGRAPH 1985): each lattice point has a number
  * and a gradient; in a cube the eight linear functions are mixed with weights 3t^2 - 2t^3.
  *
- * The figures that make it POV-Ray's noise were measured with POV-Ray 3.7.0.10; tests/measure_noise.sh measures them
+ * The figures that make it POV-Ray's noise were measured with POV-Ray 3.7.0.10; tests/measure_noise.py measures them
  * again. What was found:
  * - Generators 1 and 2 and the vector noise share a lattice. A point hashes to h in 0..255 by a shuffled table of 4096
  *   (noise_tables_make.c); from a table of 267 numbers entry h, halved, is its number, h+1..h+3 its gradient. The vector

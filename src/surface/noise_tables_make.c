@@ -1,6 +1,6 @@
 /*
  * Writes noise_tables.inc, the tables of noise.c, when the program is built. The figures below were measured with POV-Ray
- * 3.7.0.10 as tests/measure_noise.sh does it, the recipes found by matching measured values:
+ * 3.7.0.10 as tests/measure_noise.py does it, the recipes found by matching measured values:
  *
  * - values and derivatives of f_noise_generator(x,y,z,1) at lattice points give the hash of each point and the 267 entries;
  *   the hash is a table shuffled by the linear congruential generator below from seed 0;

@@ -93,9 +93,9 @@ static double value_crackle(const Pattern *pattern, const SurfacePoint *at)
 	Nearest n = nearest_find(at->p, crackle->metric);
 	if (crackle->solid)
 		return noise_value(n.point, pattern_generator(pattern));
-	double d[3];
+	double d[3], offset = metric_distance(vec3(crackle->offset, 0, 0), crackle->metric);
 	for (int i = 0; i < 3; i++)
-		d[i] = unpower(n.distance[i] + crackle->offset * crackle->offset, crackle->metric);
+		d[i] = unpower(n.distance[i] + offset, crackle->metric);
 	double v = crackle->form.x * d[0] + crackle->form.y * d[1] + crackle->form.z * d[2];
 	return v < 0 ? 0 : v > 1 ? 1 : v;
 }

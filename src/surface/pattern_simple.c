@@ -109,8 +109,9 @@ static Vec3 quilt_vector(const Pattern *pattern, Vec3 p)
 {
 	const QuiltedData *data = pattern->data;
 	Vec3 v = vec3(p.x - floor(p.x) - 0.5, p.y - floor(p.y) - 0.5, p.z - floor(p.z) - 0.5);
+	const double half_diagonal = 1 / 1.154700538; /* POV-Ray's figure for sqrt(3) / 2 */
 	double t = quilt_slope(vec3_length(v), data ? (float)data->control0 : 1, data ? (float)data->control1 : 1);
-	return vec3_scale(v, t * 2 / sqrt(3));
+	return vec3_scale(v, t / half_diagonal);
 }
 
 static double value_quilted(const Pattern *pattern, const SurfacePoint *at)

@@ -13,3 +13,6 @@ tests_unit_test_function_SOURCES = tests/unit/test_function.c tests/unit/check.h
 tests_unit_test_function_LDADD = libsurface.a libbase.a
 tests_unit_test_function_internal_SOURCES = tests/unit/test_function_internal.c tests/unit/check.h
 tests_unit_test_function_internal_LDADD = libsurface.a libbase.a
+check_PROGRAMS += tests/unit/test_pattern
+tests_unit_test_pattern_SOURCES = tests/unit/test_pattern.c tests/unit/pattern_data.h tests/unit/check.h
+tests_unit_test_pattern_LDADD = libsurface.a libbase.a
