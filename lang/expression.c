@@ -244,7 +244,8 @@ Value expression_color_part(Context *context, Value color, Word part, Value of, 
 	if (!value_is_numeric(color))
 		color = value_float(0);
 	if (color.kind != VALUE_COLOR)
-		color = expression_color(context, W_color, color, where);
+		/* `rgb 0.5 transmit 0.2` comes as rgb of this: the float spreads over red, green and blue alone. */
+		color = expression_color(context, color.kind == VALUE_FLOAT ? W_rgb : W_color, color, where);
 	if (of.kind != VALUE_FLOAT || index < 0 || index > 4) {
 		diag_error(context->diag, where, "expected a float after '%s', found %s", word_text(part), value_describe(of));
 		return color;

@@ -29,6 +29,12 @@ static float seen_power(float value, float exponent)
 
 /* ---- where a ray goes on ---- */
 
+/* The largest share of any colour, taken positive: transmit may be negative. */
+static double rgb_peak(Rgb color)
+{
+	return fmaxf(fabsf(color.r), fmaxf(fabsf(color.g), fabsf(color.b)));
+}
+
 static void count_event(RenderStatistics *statistics, const BsdfEvent *event, int level)
 {
 	if (event->kind == BSDF_REFLECT)
@@ -57,7 +63,7 @@ static void follow_event(Tracer *tracer, const PathRay *path, const ShadePoint *
 	if (event->kind == BSDF_TRANSMIT && inside_has(&path->inside, point->surface))
 		event->weight = rgb_mul(event->weight, shade_attenuation(point->surface->interior, point->hit->t));
 	PathRay next;
-	next.weight = path->weight * rgb_max(event->weight);
+	next.weight = path->weight * rgb_peak(event->weight);
 	if (next.weight < tracer->scene->settings.adc_bailout) {
 		tracer->statistics.bailouts++;
 		return;

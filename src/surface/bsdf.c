@@ -103,7 +103,8 @@ void bsdf_init(Bsdf *bsdf, const ShadingLayer *bottom_to_top, int count, const B
 	bsdf->irid_wavelength = place->irid_wavelength;
 	bsdf->through = rgb_all(1);
 	for (int i = count - 1; i >= 0 && bsdf->count < BSDF_MAX_LAYERS; i--) {
-		if (rgb_max(bsdf->through) <= place->cutoff)
+		Rgb left = bsdf->through; /* negative shares count as well */
+		if (fmaxf(fabsf(left.r), fmaxf(fabsf(left.g), fabsf(left.b))) <= place->cutoff)
 			break;
 		init_layer(bsdf, &bottom_to_top[i], place);
 	}
