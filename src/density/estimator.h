@@ -17,6 +17,7 @@ typedef struct GatherPoint {
 	Vec3 normal;      /* unit, geometric, on the side that is seen */
 	double footprint; /* width of a pixel there, scene units; 0: unknown */
 	uint16_t object;  /* Surface.id */
+	bool both_sides;  /* photons on the far side count as well (double_illuminate) */
 } GatherPoint;
 
 /* How a photon that arrives from direction (unit, away from the surface) counts at the point: the smooth lobes' value. */
@@ -26,16 +27,23 @@ typedef struct GatherResult {
 	Rgb radiance;   /* sum of kernel * flux * bsdf */
 	int photons;    /* that were found */
 	double radius;  /* of the search */
-	Rgb parameter;  /* mean emitter coordinates as a colour (SJ13 Fig. 6e) */
+	Rgb parameter;  /* mean emitter coordinates as a colour (SJ13 Fig. 6e); black: no photons */
 	float edges;    /* mean number of path edges (Fig. 6f) */
 } GatherResult;
 
 typedef struct DensityEstimator DensityEstimator;
 
-/* An estimator ready for one map: checks and prepares what the method needs (networks, ellipses). radius: the scene's bound on search
- * radii, 0 none. NULL on failure, reported. */
-DensityEstimator *estimator_create(const Estimator *settings, const PhotonMap *map, double radius, Diag *diag);
-void estimator_destroy(DensityEstimator *estimator);
+typedef struct EstimatorSetup {
+	const Estimator *method;       /* the object's or the scene's; all zeros: POV-Ray's way of gathering */
+	const PhotonSettings *photons; /* the scene's: gather, radius, expand_thresholds */
+	const PhotonMap *map;          /* indexed; outlives the estimator */
+	double radius;                 /* of a progressive pass: every photon within it counts and kernels are as wide as it; 0: none */
+} EstimatorSetup;
+
+/* An estimator ready for one map: checks and prepares what the method needs (networks, ellipses, radii from the photons). What setup
+ * points to, except the map, need not outlive the call. NULL on failure, reported. */
+DensityEstimator *estimator_create(const EstimatorSetup *setup, Diag *diag);
+void estimator_destroy(DensityEstimator *estimator); /* NULL is allowed */
 /* Thread-safe. */
 void estimator_gather(const DensityEstimator *estimator, const GatherPoint *point, GatherBsdf *bsdf, void *data,
                       GatherResult *result);

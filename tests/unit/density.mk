@@ -1,1 +1,7 @@
 # Unit tests of src/density: one program a module.
+check_PROGRAMS += tests/unit/test_kernel
+tests_unit_test_kernel_SOURCES = tests/unit/test_kernel.c tests/unit/check.h
+tests_unit_test_kernel_LDADD = libdensity.a libbase.a
+check_PROGRAMS += tests/unit/test_density
+tests_unit_test_density_SOURCES = tests/unit/test_density.c tests/unit/check.h
+tests_unit_test_density_LDADD = libdensity.a libphoton.a libscene.a libbase.a

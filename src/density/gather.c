@@ -1,0 +1,68 @@
+#include "density/gather.h"
+
+#include <math.h>
+
+static const double least_cosine = 0.5, thickness = 0.25;
+
+bool gather_accepts(const GatherPoint *point, const Photon *photon, double radius)
+{
+	double cosine = vec3_dot(photon_normal(photon), point->normal);
+	if ((point->both_sides ? fabs(cosine) : cosine) < least_cosine)
+		return false;
+	Vec3 at = vec3(photon->position[0], photon->position[1], photon->position[2]);
+	return fabs(vec3_dot(vec3_sub(at, point->position), point->normal)) <= thickness * radius;
+}
+
+/* Directions as they are; a plane's coordinates relative to the disc that was sampled. */
+static void add_parameter(GatherSum *sum, const Photon *photon)
+{
+	const PhotonMap *map = sum->task->map;
+	double scale = 1;
+	if (photon->light < map->light_count && map->lights[photon->light].parameter_dimensions == 2 &&
+	    map->lights[photon->light].parameter_area > 0)
+		scale = sqrt(M_PI / map->lights[photon->light].parameter_area);
+	for (int k = 0; k < 3; k++)
+		sum->parameter[k] += 0.5 + 0.5 * fmax(-1, fmin(1, scale * photon->emitter[k]));
+}
+
+void gather_add(GatherSum *sum, const Photon *photon, double kernel)
+{
+	sum->photons++;
+	sum->edges += photon->edges;
+	add_parameter(sum, photon);
+	if (kernel == 0)
+		return;
+	Rgb value = rgb_mul(photon_flux(photon), sum->task->bsdf(sum->task->data, photon_direction(photon)));
+	sum->radiance[0] += kernel * value.r;
+	sum->radiance[1] += kernel * value.g;
+	sum->radiance[2] += kernel * value.b;
+}
+
+void gather_finish(const GatherSum *sum, double radius, GatherResult *result)
+{
+	result->photons = sum->photons;
+	result->radius = radius;
+	if (sum->photons == 0)
+		return;
+	double share = 1.0 / sum->photons;
+	const double *l = sum->radiance, *p = sum->parameter;
+	result->radiance = rgb((float)l[0], (float)l[1], (float)l[2]);
+	result->parameter = rgb((float)(share * p[0]), (float)(share * p[1]), (float)(share * p[2]));
+	result->edges = (float)(share * sum->edges);
+}
+
+int gather_filter(const GatherTask *task, double radius, Neighbor *found, int count)
+{
+	int kept = 0;
+	for (int i = 0; i < count; i++) {
+		if (gather_accepts(task->point, &task->map->photons[found[i].index], radius))
+			found[kept++] = found[i];
+	}
+	return kept;
+}
+
+/* Eight times the radius that holds so many photons at the map's median density. */
+double gather_reach(const PhotonMap *map, int count)
+{
+	return 8 * map->spacing * sqrt(count / M_PI);
+}

@@ -1,0 +1,29 @@
+/* What an estimator's file gives to the table in estimator.c. */
+#ifndef DENSITY_METHOD_H
+#define DENSITY_METHOD_H
+
+#include "density/estimator.h"
+
+/* What a gather needs beside the method's own data. */
+typedef struct GatherTask {
+	const PhotonMap *map;
+	const GatherPoint *point;
+	GatherBsdf *bsdf;
+	void *data; /* bsdf's */
+} GatherTask;
+
+typedef struct EstimatorMethod {
+	const char *name;
+	/* The method's own data, one block for free(); NULL on failure, reported. */
+	void *(*create)(const EstimatorSetup *setup, Diag *diag);
+	/* result comes zeroed. */
+	void (*gather)(const void *method, const GatherTask *task, GatherResult *result);
+} EstimatorMethod;
+
+extern const EstimatorMethod nearest_method;   /* nearest.c: k nearest, or a fixed radius */
+extern const EstimatorMethod expand_method;    /* expand.c: as POV-Ray gathers */
+
+/* More photons than this per gather point are refused: they stand on the stack. */
+enum { ESTIMATOR_MOST_PHOTONS = 10000 };
+
+#endif

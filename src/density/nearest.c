@@ -1,0 +1,128 @@
+/*
+ * Photon density from the k nearest photons (Jensen 1996, 2001): flux times a kernel as wide as the farthest of them is away,
+ * summed. With a radius and no count, or in a progressive pass, the kernel has a fixed width instead and everything in it counts
+ * (Hachisuka et al. 2008).
+ *
+ * What differs: the k-th photon only sets the width, being where every kernel ends, so k of them at a uniform density
+ * give that density on the average also with the uniform kernel (k - 1 over pi r_k^2 is unbiased; Jensen counts all k). Photons of other
+ * surfaces are refused (gather.h) and replaced by farther ones.
+ *
+ * What it does not do: correct for boundaries. Near an edge of the lit region, or of the surface, the disc reaches where no
+ * photons can be and the estimate is low, as in the papers.
+ */
+#include <math.h>
+#include <stdlib.h>
+
+#include "base/arena.h"
+#include "density/gather.h"
+#include "density/kernel.h"
+#include "density/method.h"
+
+typedef struct Nearest {
+	int count;      /* 0: all within the radius */
+	double radius;  /* the farthest to look; INFINITY when nothing is known */
+	EstimatorKernel kernel;
+} Nearest;
+
+enum { DEFAULT_COUNT = 50, TRIES = 3 };
+
+static void *nearest_create(const EstimatorSetup *setup, Diag *diag)
+{
+	(void)diag;
+	const Estimator *e = setup->method;
+	Nearest *n = memory_alloc(sizeof *n);
+	*n = (Nearest){e->count, e->radius, e->kernel};
+	if (setup->radius > 0)
+		*n = (Nearest){0, setup->radius, e->kernel};
+	if (n->count == 0 && !(n->radius > 0))
+		n->count = DEFAULT_COUNT;
+	if (!(n->radius > 0))
+		n->radius = gather_reach(setup->map, n->count);
+	if (!(n->radius > 0))
+		n->radius = INFINITY;
+	return n;
+}
+
+/* ---- fixed radius ---- */
+
+typedef struct Disc {
+	GatherSum sum;
+	double radius;
+	EstimatorKernel kernel;
+} Disc;
+
+static void add_within(void *data, const Neighbor *found, int count)
+{
+	Disc *disc = data;
+	double scale = 1 / (disc->radius * disc->radius);
+	for (int i = 0; i < count; i++) {
+		const Photon *photon = &disc->sum.task->map->photons[found[i].index];
+		if (gather_accepts(disc->sum.task->point, photon, disc->radius))
+			gather_add(&disc->sum, photon, scale * kernel_value(disc->kernel, scale * found[i].distance2));
+	}
+}
+
+static void gather_disc(const Nearest *n, const GatherTask *task, GatherResult *result)
+{
+	Disc disc = {{.task = task}, n->radius, n->kernel};
+	Vec3 p = task->point->position;
+	float center[3] = {(float)p.x, (float)p.y, (float)p.z};
+	photon_tree_within(task->map->tree, center, (float)n->radius, add_within, &disc);
+	gather_finish(&disc.sum, n->radius, result);
+}
+
+/* ---- k nearest ---- */
+
+static int compare_distances(const void *a, const void *b)
+{
+	const Neighbor *x = a, *y = b;
+	if (x->distance2 != y->distance2)
+		return x->distance2 < y->distance2 ? -1 : 1;
+	return (x->index > y->index) - (x->index < y->index);
+}
+
+/* The wanted number of accepted neighbours, or fewer with *radius2 the whole reach. Returns how many. */
+static int find_accepted(const Nearest *n, const GatherTask *task, Neighbor *found, double *radius2)
+{
+	Vec3 p = task->point->position;
+	NearestQuery query = {{(float)p.x, (float)p.y, (float)p.z}, (float)(n->radius * n->radius), n->count, NULL};
+	for (int try = 1;; try++) {
+		int count = photon_tree_nearest(task->map->tree, &query, found);
+		bool full = count == query.count;
+		*radius2 = full || n->radius == INFINITY ? photon_tree_farthest(found, count) : n->radius * n->radius;
+		int kept = gather_filter(task, sqrt(*radius2), found, count);
+		if (kept > n->count) {
+			qsort(found, (size_t)kept, sizeof *found, compare_distances);
+			kept = n->count;
+			*radius2 = found[kept - 1].distance2;
+		}
+		if (kept == n->count || !full || try == TRIES)
+			return kept;
+		query.count *= 2;
+	}
+}
+
+static void gather_nearest(const Nearest *n, const GatherTask *task, GatherResult *result)
+{
+	Neighbor found[(n->count << (TRIES - 1)) + 8 * TREE_SLACK];
+	GatherSum sum = {.task = task};
+	double radius2;
+	int count = find_accepted(n, task, found, &radius2);
+	if (!(radius2 > 0)) /* photons in one point: there is no area to have a density */
+		count = 0;
+	for (int i = 0; i < count; i++)
+		gather_add(&sum, &task->map->photons[found[i].index],
+		           kernel_value(n->kernel, found[i].distance2 / radius2) / radius2);
+	gather_finish(&sum, sqrt(radius2), result);
+}
+
+static void nearest_gather(const void *method, const GatherTask *task, GatherResult *result)
+{
+	const Nearest *n = method;
+	if (n->count == 0)
+		gather_disc(n, task, result);
+	else
+		gather_nearest(n, task, result);
+}
+
+const EstimatorMethod nearest_method = {"nearest", nearest_create, nearest_gather};
