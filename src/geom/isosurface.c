@@ -1,8 +1,8 @@
 /*
- * The function's values along the ray, inside the container. On an interval of length l whose ends have the values a and b
- * the surface can only lie where |a| + |b| <= max_gradient l; such intervals are halved until they are shorter than the
- * accuracy, and then a change of sign is a crossing. With a max_gradient that is too small crossings get lost: holes, as the
- * language defines them. The crossing itself is refined within its last interval.
+ * The function's values along the ray, inside the container. On an interval of length l whose ends have values a and b of the
+ * same sign the surface can only lie where |a| + |b| <= max_gradient l; the other intervals are halved until they are shorter
+ * than the accuracy, and then a change of sign is a crossing. With a max_gradient that is too small some crossings get lost, as
+ * the language defines. The crossing itself is refined within its last interval.
  */
 #include "geom/isosurface.h"
 
@@ -97,11 +97,12 @@ static bool first_root(const Isosurface *isosurface, const Ray *ray, Sample from
 	while (depth) {
 		Sample end = stack[depth - 1];
 		double length = end.t - from.t;
-		if (fabs(from.value) + fabs(end.value) > gradient * length) {
+		bool differ = (from.value > 0) != (end.value > 0);
+		if (!differ && fabs(from.value) + fabs(end.value) > gradient * length) {
 			from = end;
 			depth--;
 		} else if (length < shortest || depth == STACK_DEPTH) {
-			if ((from.value > 0) != (end.value > 0)) {
+			if (differ) {
 				*t = refine(isosurface, ray, from, end);
 				return true;
 			}

@@ -13,7 +13,7 @@
 
 #include "geom/sphere.h"
 
-enum { BISECTIONS = 24 };
+enum { BISECTIONS = 12 };
 
 /* Iterates beyond this squared length have escaped. */
 static const double ESCAPE = 16;
@@ -36,6 +36,7 @@ typedef struct JuliaFractal {
 	double offset;
 	double radius;   /* of the ball that holds the set */
 	double least;    /* 1 / precision */
+	int iterations;  /* looked at after the point itself */
 } JuliaFractal;
 
 JuliaDesc julia_default(void)
@@ -63,6 +64,8 @@ const void *julia_create(Arena *arena, const JuliaDesc *desc, const char **error
 	julia->tilt = vec3(-n[0] / n[3], -n[1] / n[3], -n[2] / n[3]);
 	julia->offset = desc->slice_distance * sqrt(n[0] * n[0] + n[1] * n[1] + n[2] * n[2] + n[3] * n[3]) / n[3];
 	julia->least = 1 / fmax(1, desc->precision);
+	/* POV-Ray's images show that the point itself counts as the first hypercomplex number, but not as the first quaternion. */
+	julia->iterations = desc->hypercomplex ? desc->max_iteration - 1 : desc->max_iteration;
 	double length = 1 + sqrt(p.x * p.x + p.y * p.y + p.z * p.z + p.w * p.w);
 	julia->radius = desc->hypercomplex ? 4 : fmin(2, length);
 	return julia;
@@ -131,7 +134,7 @@ static double quaternion_distance(const JuliaFractal *julia, Vec4 q)
 {
 	double growth = 1, r2 = length2(q);
 	bool cube = julia->desc.function == JULIA_CUBE;
-	for (int i = 0; i < julia->desc.max_iteration; i++) {
+	for (int i = 0; i < julia->iterations; i++) {
 		growth *= cube ? 3 * r2 : 2 * sqrt(r2);
 		q = quaternion_next(julia, q);
 		r2 = length2(q);
@@ -149,7 +152,7 @@ static double dot(Vec4 p, Vec4 q)
 static Vec3 quaternion_gradient(const JuliaFractal *julia, Vec4 q)
 {
 	Vec4 x = {1, 0, 0, julia->tilt.x}, y = {0, 1, 0, julia->tilt.y}, z = {0, 0, 1, julia->tilt.z};
-	for (int i = 0; i < julia->desc.max_iteration && length2(q) <= FAR; i++) {
+	for (int i = 0; i < julia->iterations && length2(q) <= FAR; i++) {
 		x = quaternion_slope(julia, q, x);
 		y = quaternion_slope(julia, q, y);
 		z = quaternion_slope(julia, q, z);
@@ -235,7 +238,7 @@ static double pair_length2(Pair h)
 static double hypercomplex_distance(const JuliaFractal *julia, Vec4 q)
 {
 	Pair h = to_pair(q);
-	for (int i = 0; i < julia->desc.max_iteration; i++) {
+	for (int i = 0; i < julia->iterations; i++) {
 		h = pair_next(julia, h);
 		/* Not a number counts as escaped. */
 		if (!(pair_length2(h) <= ESCAPE))
@@ -249,7 +252,7 @@ static Vec3 hypercomplex_gradient(const JuliaFractal *julia, Vec4 q)
 {
 	Pair h = to_pair(q), slope = {1, 1}, gradient = {0, 0};
 	double largest = 0;
-	for (int i = 0; i < julia->desc.max_iteration && pair_length2(h) <= FAR; i++) {
+	for (int i = 0; i < julia->iterations && pair_length2(h) <= FAR; i++) {
 		slope.a *= julia_derivative(&julia->desc, h.a);
 		slope.b *= julia_derivative(&julia->desc, h.b);
 		h = pair_next(julia, h);
