@@ -193,6 +193,14 @@ double image_map_gray(const ImageMap *map, Vec3 p)
 	return map_place(map, p, &place) ? map_read(map, pixel_number, place).r : 0;
 }
 
+/* A bump map's heights: grey, or palette indices as they are. */
+static Rgbft pixel_height(const ImageMap *map, int x, int y)
+{
+	if (map->indices && !map->use_color)
+		return rgbft(map->indices[pixel_offset(map, x, y)], 0, 0, 0, 0);
+	return pixel_number(map, x, y);
+}
+
 /* Across and up on the surface with unit normal n, as the image lies on it. */
 static void bump_frame(Vec3 n, Vec3 *across, Vec3 *up)
 {
@@ -207,9 +215,9 @@ Vec3 image_map_bump(const ImageMap *map, Vec3 p, double amount, Vec3 n)
 	Place place;
 	if (!map_place(map, p, &place))
 		return n;
-	double here = map_read(map, pixel_number, place).r;
-	double left = map_read(map, pixel_number, (Place){place.x - 1, place.y + 1}).r;
-	double right = map_read(map, pixel_number, (Place){place.x + 1, place.y + 1}).r;
+	double here = map_read(map, pixel_height, place).r;
+	double left = map_read(map, pixel_height, (Place){place.x - 1, place.y + 1}).r;
+	double right = map_read(map, pixel_height, (Place){place.x + 1, place.y + 1}).r;
 	Vec3 across, up;
 	bump_frame(n, &across, &up);
 	n = vec3_mad(n, -amount * (right - left) / 2, across);

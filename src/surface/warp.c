@@ -19,9 +19,28 @@ WarpBlackHole warp_black_hole_default(void)
 	return (WarpBlackHole){.radius = 1, .strength = 1, .falloff = 2};
 }
 
+/* A repeated hole has to stay inside its block: its centre is moved and the block widened until it does. */
+static void settle_axis(double *center, double *repeat, double radius, double uncertainty)
+{
+	if (*repeat == 0)
+		return;
+	*center = fmax(*center, radius);
+	*repeat = fmax(*repeat, *center + radius + uncertainty);
+}
+
+static void settle_black_hole(WarpBlackHole *hole)
+{
+	Vec3 u = hole->uncertain ? hole->uncertainty : vec3_all(0);
+	settle_axis(&hole->center.x, &hole->repeat.x, hole->radius, u.x);
+	settle_axis(&hole->center.y, &hole->repeat.y, hole->radius, u.y);
+	settle_axis(&hole->center.z, &hole->repeat.z, hole->radius, u.z);
+}
+
 void warp_add(Arena *arena, const Warp **list, const Warp *warp)
 {
 	Warp *node = arena_copy(arena, warp, sizeof *warp);
+	if (node->kind == WARP_BLACK_HOLE && node->u.black_hole.repeats)
+		settle_black_hole(&node->u.black_hole);
 	node->next = *list;
 	*list = node;
 }
@@ -84,14 +103,24 @@ static Vec3 apply_repeat(const WarpRepeat *r, Vec3 p)
 	return vec3_mad(p, copy, r->offset);
 }
 
-static double block_start(double at, double repeat) { return repeat != 0 ? floor(at / repeat) * repeat : 0; }
+static double block_number(double at, double repeat) { return repeat != 0 ? floor(at / repeat) : 0; }
+
+/* The centre of the hole in the point's block; turbulence moves it by the random numbers of crackle's cells. */
+static Vec3 black_hole_center(const WarpBlackHole *hole, Vec3 p)
+{
+	if (!hole->repeats)
+		return hole->center;
+	Vec3 block = vec3(block_number(p.x, hole->repeat.x), block_number(p.y, hole->repeat.y),
+	                  block_number(p.z, hole->repeat.z));
+	Vec3 center = vec3_add(hole->center, vec3_mul(block, hole->repeat));
+	if (hole->uncertain)
+		center = vec3_add(center, vec3_mul(hole->uncertainty, noise_cube_random(block)));
+	return center;
+}
 
 static Vec3 apply_black_hole(const WarpBlackHole *hole, Vec3 p)
 {
-	Vec3 center = hole->center;
-	if (hole->repeats)
-		center = vec3_add(center, vec3(block_start(p.x, hole->repeat.x), block_start(p.y, hole->repeat.y),
-		                               block_start(p.z, hole->repeat.z)));
+	Vec3 center = black_hole_center(hole, p);
 	Vec3 delta = vec3_sub(p, center);
 	double length = vec3_length(delta);
 	if (length >= hole->radius)
