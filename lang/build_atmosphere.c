@@ -139,7 +139,7 @@ static bool accept_rainbow_number(Cursor *cursor, Rainbow *rainbow)
 
 const Rainbow *build_rainbow(Context *context, const Node *block)
 {
-	Rainbow rainbow = {.up = {0, 1, 0}, .distance = 1e7, .arc_angle = 180, .falloff_angle = 180};
+	Rainbow rainbow = {.up = {0, 1, 0}, .distance = 1e7, .arc_angle = 360, .falloff_angle = 360};
 	const ColorMap *map = NULL;
 	Cursor cursor = cursor_begin(context, block);
 	const Rainbow *named = cursor_accept_item(&cursor, VALUE_RAINBOW);

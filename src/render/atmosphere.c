@@ -92,17 +92,21 @@ static double fog_depth(const Fog *fog, const Ray *ray, double distance)
 	return depth;
 }
 
-static Seen fog_apply(const Fog *fog, const Ray *ray, double distance, Seen seen)
+/* What the fogs together leave of a sight, and the light that they add. */
+typedef struct FogSum {
+	Rgb left, light;
+} FogSum;
+
+static void add_fog(const Fog *fog, const Ray *ray, double distance, FogSum *sum)
 {
 	if (fog->distance == 0)
-		return seen;
+		return;
 	float left = (float)exp(-fog_depth(fog, ray, distance) / fog->distance);
 	left = fmaxf(left, fog->color.transmit);
 	Rgb color = rgbft_rgb(fog->color);
 	Rgb tint = rgb_lerp(rgb_all(1), color, fog->color.filter);
-	seen.color = rgb_mad(rgb_scale(rgb_mul(seen.color, tint), left), 1 - left, color);
-	seen.transmit *= left * mean(tint);
-	return seen;
+	sum->left = rgb_mul(sum->left, rgb_scale(tint, left));
+	sum->light = rgb_mad(sum->light, 1 - left, color);
 }
 
 /* ---- rainbow ---- */
@@ -149,7 +153,8 @@ Seen atmosphere_apply(Tracer *tracer, const Ray *ray, double distance, Seen seen
 	double length = fmin(distance, FAR_AWAY);
 	for (int i = 0; i < scene->rainbow_count; i++)
 		seen = rainbow_apply(tracer, scene->rainbows[i], ray, length, seen);
+	FogSum sum = {{1, 1, 1}, {0, 0, 0}};
 	for (int i = 0; i < scene->fog_count; i++)
-		seen = fog_apply(scene->fogs[i], ray, length, seen);
-	return seen;
+		add_fog(scene->fogs[i], ray, length, &sum);
+	return (Seen){rgb_add(rgb_mul(seen.color, sum.left), sum.light), seen.transmit * mean(sum.left)};
 }

@@ -25,6 +25,7 @@ typedef struct Grid {
 	int number;
 	const Light *light;
 	AreaFrame frame;
+	Vec3 centre; /* from the lit point to the light's, which for parallel light is above every point */
 } Grid;
 
 static Vec3 grid_point(Grid *grid, int column, int row)
@@ -42,10 +43,10 @@ static Rgb grid_visibility(Grid *grid, int column, int row)
 	int at = row * grid->light->size1 + column;
 	Tracer *tracer = grid->tracer;
 	if (!tracer->grid_known[at]) {
-		Vec3 direction;
-		double distance;
-		light_arrival(grid->light, grid_point(grid, column, row), grid->at->p, &direction, &distance);
-		tracer->grid[at] = shadow_visibility(tracer, grid->at, grid->number, direction, distance);
+		Vec3 offset = vec3_add(grid->centre, vec3_sub(grid_point(grid, column, row), grid->light->position));
+		double distance = vec3_length(offset);
+		tracer->grid[at] = shadow_visibility(tracer, grid->at, grid->number,
+		                                     vec3_scale(offset, 1 / distance), distance);
 		tracer->grid_known[at] = true;
 	}
 	return tracer->grid[at];
@@ -70,12 +71,13 @@ static Rgb mean_of_four(const Rgb c[4])
 /* A range of columns or rows cut at its middle; returns the number of pieces. */
 static int split_range(const int range[2], int pieces[2][2])
 {
-	int middle = (range[0] + range[1]) / 2;
+	int sum = range[0] + range[1];
 	pieces[0][0] = range[0];
 	pieces[0][1] = range[1];
 	if (range[1] - range[0] <= 1)
 		return 1;
-	pieces[0][1] = pieces[1][0] = middle;
+	pieces[0][1] = sum / 2;
+	pieces[1][0] = sum - sum / 2; /* the next one when the range has no middle */
 	pieces[1][1] = range[1];
 	return 2;
 }
@@ -103,7 +105,10 @@ static Grid grid_start(Tracer *tracer, const LitPoint *at, int number)
 	const Light *light = &tracer->scene->lights[number];
 	for (int i = 0; i < light->size1 * light->size2; i++)
 		tracer->grid_known[i] = false;
-	return (Grid){tracer, at, number, light, area_frame(light, at->p)};
+	Vec3 direction;
+	double distance;
+	light_arrival(light, light->position, at->p, &direction, &distance);
+	return (Grid){tracer, at, number, light, area_frame(light, at->p), vec3_scale(direction, distance)};
 }
 
 static Rgb area_visibility(Tracer *tracer, const LitPoint *at, int number)
