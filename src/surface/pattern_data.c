@@ -10,7 +10,8 @@ static double value_function(const Pattern *pattern, const SurfacePoint *at)
 {
 	const FunctionData *data = pattern->data;
 	const double args[3] = {at->p.x, at->p.y, at->p.z};
-	return function_eval(data->function, args);
+	double v = function_eval(data->function, args);
+	return v > 1 ? fmod(v, 1) : v;
 }
 
 static double value_image(const Pattern *pattern, const SurfacePoint *at)
@@ -31,29 +32,35 @@ static double value_potential(const Pattern *pattern, const SurfacePoint *at)
 	return data->value(data->shape, at->p);
 }
 
-/* 0 to 1 mapped from the range given; a range without width is a step. */
+/* The range given mapped to 0 to 1; a range without width stays as it is. */
 static double ranged(double v, double lo, double hi)
 {
 	return hi == lo ? v : (v - lo) / (hi - lo);
 }
 
+/* Share of half a turn between the normal and the plane square to a direction: 0 away from it, 1 towards it. */
+static double facing(Vec3 normal, Vec3 direction)
+{
+	return asin(fmax(-1, fmin(1, vec3_dot(normal, vec3_normalize(direction))))) / M_PI + 0.5;
+}
+
+/* Slope and altitude are averaged with their vectors' lengths as weights. */
 static double value_slope(const Pattern *pattern, const SurfacePoint *at)
 {
 	const SlopeData *slope = pattern->data;
 	Vec3 direction = slope->point_at ? vec3_sub(slope->direction, at->p) : slope->direction;
-	double v = asin(fmax(-1, fmin(1, vec3_dot(at->normal, vec3_normalize(direction))))) / M_PI + 0.5;
-	v = ranged(v, slope->lo_slope, slope->hi_slope);
-	double altitude = vec3_length(slope->altitude);
-	if (altitude > 0)
-		v += ranged(vec3_dot(at->p, slope->altitude), slope->lo_alt, slope->hi_alt);
-	return v;
+	double v = ranged(facing(at->normal, direction), slope->lo_slope, slope->hi_slope);
+	double along = vec3_length(slope->altitude), down = vec3_length(direction);
+	if (along == 0)
+		return v;
+	double altitude = ranged(vec3_dot(at->p, slope->altitude) / along, slope->lo_alt, slope->hi_alt);
+	return (down * v + along * altitude) / (down + along);
 }
 
 static double value_aoi(const Pattern *pattern, const SurfacePoint *at)
 {
 	(void)pattern;
-	double cosine = -vec3_dot(at->normal, at->direction);
-	return asin(fmax(-1, fmin(1, cosine))) / M_PI + 0.5;
+	return facing(at->normal, vec3_neg(at->direction));
 }
 
 /* ---- density_file ---- */
@@ -83,12 +90,31 @@ DensityData *density_parse(Arena *arena, const uint8_t *bytes, size_t length)
 	return data;
 }
 
+static int wrapped(int i, int count)
+{
+	i %= count;
+	return i < 0 ? i + count : i;
+}
+
 static double voxel_at(const DensityData *d, int x, int y, int z)
 {
-	x = x < 0 ? 0 : x >= d->size_x ? d->size_x - 1 : x;
-	y = y < 0 ? 0 : y >= d->size_y ? d->size_y - 1 : y;
-	z = z < 0 ? 0 : z >= d->size_z ? d->size_z - 1 : z;
-	return d->voxels[((size_t)z * (size_t)d->size_y + (size_t)y) * (size_t)d->size_x + (size_t)x];
+	size_t row = (size_t)wrapped(z, d->size_z) * (size_t)d->size_y + (size_t)wrapped(y, d->size_y);
+	return d->voxels[row * (size_t)d->size_x + (size_t)wrapped(x, d->size_x)];
+}
+
+/* The weights of four neighbours, the first of them one below: linear, or Catmull and Rom's cubic. */
+static void neighbour_weights(int interpolate, double t, double w[4])
+{
+	if (interpolate == 1) {
+		w[0] = w[3] = 0;
+		w[1] = 1 - t;
+		w[2] = t;
+		return;
+	}
+	w[0] = t * (-0.5 + t * (1 - 0.5 * t));
+	w[1] = 1 + t * t * (-2.5 + 1.5 * t);
+	w[2] = t * (0.5 + t * (2 - 1.5 * t));
+	w[3] = t * t * (-0.5 + 0.5 * t);
 }
 
 static double value_density(const Pattern *pattern, const SurfacePoint *at)
@@ -97,14 +123,18 @@ static double value_density(const Pattern *pattern, const SurfacePoint *at)
 	Vec3 p = at->p;
 	if (!(p.x >= 0 && p.x < 1 && p.y >= 0 && p.y < 1 && p.z >= 0 && p.z < 1))
 		return 0;
-	double x = p.x * d->size_x, y = p.y * d->size_y, z = p.z * d->size_z;
+	int x = (int)(p.x * d->size_x), y = (int)(p.y * d->size_y), z = (int)(p.z * d->size_z);
 	if (d->interpolate == 0)
-		return voxel_at(d, (int)x, (int)y, (int)z);
-	double fx = floor(x), fy = floor(y), fz = floor(z), sum = 0;
-	for (int n = 0; n < 8; n++) {
-		int i = n & 1, j = n >> 1 & 1, k = n >> 2;
-		double weight = fabs(1 - i - (x - fx)) * fabs(1 - j - (y - fy)) * fabs(1 - k - (z - fz));
-		sum += weight * voxel_at(d, (int)fx + i, (int)fy + j, (int)fz + k);
+		return voxel_at(d, x, y, z);
+	double wx[4], wy[4], wz[4], sum = 0;
+	neighbour_weights(d->interpolate, p.x * d->size_x - x, wx);
+	neighbour_weights(d->interpolate, p.y * d->size_y - y, wy);
+	neighbour_weights(d->interpolate, p.z * d->size_z - z, wz);
+	for (int n = 0; n < 64; n++) {
+		int i = n & 3, j = n >> 2 & 3, k = n >> 4;
+		double weight = wx[i] * wy[j] * wz[k];
+		if (weight != 0)
+			sum += weight * voxel_at(d, x + i - 1, y + j - 1, z + k - 1);
 	}
 	return sum;
 }
@@ -112,7 +142,7 @@ static double value_density(const Pattern *pattern, const SurfacePoint *at)
 const PatternClass pattern_function = {"function", value_function, 0, NULL, PATTERN_NEEDS_DATA};
 const PatternClass pattern_image = {"image_pattern", value_image, 0, NULL, PATTERN_STILL | PATTERN_NEEDS_DATA};
 const PatternClass pattern_density_file = {"density_file", value_density, 0, NULL, PATTERN_STILL | PATTERN_NEEDS_DATA};
-const PatternClass pattern_pigment = {"pigment_pattern", value_pigment, 0, NULL, PATTERN_STILL | PATTERN_NEEDS_DATA};
-const PatternClass pattern_slope = {"slope", value_slope, 0, NULL, PATTERN_STILL | PATTERN_NEEDS_DATA};
-const PatternClass pattern_aoi = {"aoi", value_aoi, 0, NULL, PATTERN_STILL};
+const PatternClass pattern_pigment = {"pigment_pattern", value_pigment, 0, NULL, PATTERN_NEEDS_DATA};
+const PatternClass pattern_slope = {"slope", value_slope, 0, NULL, PATTERN_NEEDS_DATA};
+const PatternClass pattern_aoi = {"aoi", value_aoi, 0, NULL, 0};
 const PatternClass pattern_potential = {"potential", value_potential, 0, NULL, PATTERN_NEEDS_DATA};

@@ -57,11 +57,10 @@ static SurfacePoint point_inside(const Texture *texture, const Place *place)
 static ShadingLayer shade_layer(const Texture *texture, const Place *place)
 {
 	SurfacePoint inner = point_inside(texture, place);
-	return (ShadingLayer){
-		.color = pigment_color(texture->pigment, &inner),
-		.normal = layer_normal(texture, place, &inner),
-		.finish = texture->finish,
-	};
+	ShadingLayer layer = {.normal = layer_normal(texture, place, &inner), .finish = texture->finish};
+	inner.normal = layer.normal; /* what slope sees in a pigment */
+	layer.color = pigment_color(texture->pigment, &inner);
+	return layer;
 }
 
 static void shade_plain(const Texture *texture, const Place *place, double weight, Shading *out)
