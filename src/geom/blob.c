@@ -1,8 +1,9 @@
 /*
- * Along a ray the squared distance to a component, in units of its radius, is a quadratic q(t) on up to three pieces (a
- * cylinder's two end spheres and its side), and its field s (1 - q)^2 a quartic there, zero elsewhere. The ends of all pieces
- * cut the ray into spans; on each span the quartics of the pieces that cover it add up, in a parameter that counts from the
- * span's middle so that nothing cancels, and the crossings are the roots of the sum less the threshold.
+ * Along a ray the squared distance to a component, in units of its radius, is a quadratic q(t) on
+ * up to three pieces (a cylinder's two end spheres and its side), and its field s (1 - q)^2 a
+ * quartic there, zero elsewhere. The ends of all pieces cut the ray into spans; on each span the
+ * quartics of the pieces that cover it add up, in a parameter that counts from the span's middle so
+ * that nothing cancels, and the crossings are the roots of the sum less the threshold.
  */
 #include "geom/blob.h"
 
@@ -90,7 +91,8 @@ static bool blob_bounds(const void *data, Box3 *box)
 
 /* ---- the field at a point ---- */
 
-/* From the nearest point of the component's centre or axis to p, both in the component's own space. */
+/* From the nearest point of the component's centre or axis to p, both in the component's own
+ * space. */
 static Vec3 component_away(const Component *component, Vec3 own)
 {
 	Vec3 away = vec3_sub(own, component->given.center);
@@ -105,7 +107,8 @@ static Vec3 into_component(const Component *component, Vec3 p)
 	return component->given.transform ? transform_point_inverse(component->given.transform, p) : p;
 }
 
-/* The field of one component; its gradient in the blob's space is added to *gradient unless that is NULL. */
+/* The field of one component; its gradient in the blob's space is added to *gradient unless that
+ * is NULL. */
 static double component_field(const Component *component, Vec3 p, Vec3 *gradient)
 {
 	Vec3 away = component_away(component, into_component(component, p));

@@ -1,6 +1,7 @@
 /*
- * Blobs: the surface where the sum of the components' fields is the threshold. A component's field at distance r from its
- * centre or axis is strength (1 - (r / radius)^2)^2, zero beyond the radius; cylinders end in half spheres.
+ * Blobs: the surface where the sum of the components' fields is the threshold. A component's field
+ * at distance r from its centre or axis is strength (1 - (r / radius)^2)^2, zero beyond the radius;
+ * cylinders end in half spheres.
  */
 #ifndef GEOM_BLOB_H
 #define GEOM_BLOB_H

@@ -73,7 +73,8 @@ static Vec3 box_normal(const void *data, const Hit *hit, Vec3 p)
 	return normals[hit->part];
 }
 
-/* The cross of six faces that POV-Ray unfolds over the unit square: 4 columns along u, 3 rows along v. */
+/* The cross of six faces that POV-Ray unfolds over the unit square: 4 columns along u, 3 rows
+ * along v. */
 static Vec2 box_uv(const void *data, const Hit *hit, Vec3 p)
 {
 	const Box3 *box = data;

@@ -1,6 +1,7 @@
 /*
- * A small hierarchy of boxes over numbered items, for rays and points inside compound shapes (CSG with many children, blobs, meshes
- * of segments). Items with unbounded boxes are kept aside and always visited; empty boxes never.
+ * A small hierarchy of boxes over numbered items, for rays and points inside compound shapes (CSG
+ * with many children, blobs, meshes of segments). Items with unbounded boxes are kept aside and
+ * always visited; empty boxes never.
  */
 #ifndef GEOM_BOX_TREE_H
 #define GEOM_BOX_TREE_H

@@ -1,6 +1,6 @@
 /*
- * In the frame of the axis: z along it from the base, the rest across. The side is |across|^2 = (r0 + slope z)^2 for
- * 0 <= z <= height. Radii of different sign make a double cone.
+ * In the frame of the axis: z along it from the base, the rest across. The side is |across|^2 = (r0
+ * + slope z)^2 for 0 <= z <= height. Radii of different sign make a double cone.
  */
 #include "geom/cone.h"
 
@@ -53,7 +53,8 @@ static double cone_split(const Cone *cone, Vec3 v, Vec3 *across)
 	return along;
 }
 
-/* A ray seen from the axis, its origin moved to the point nearest to the middle of the cone, which keeps far origins exact. */
+/* A ray seen from the axis, its origin moved to the point nearest to the middle of the cone,
+ * which keeps far origins exact. */
 typedef struct ConeRay {
 	double shift; /* what was added to t = 0 */
 	Vec3 across, across_step;

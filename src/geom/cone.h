@@ -11,8 +11,9 @@ typedef struct ConeDesc {
 	bool open; /* no end discs */
 } ConeDesc;
 
-/* NULL with *error set when base and cap coincide. Equal radii make a cylinder, radii of different sign two
- * cones that touch. Data for cone_class and cylinder_class alike: they differ in name only. */
+/* NULL with *error set when base and cap coincide. Equal radii make a cylinder, radii of
+ * different sign two cones that touch. Data for cone_class and cylinder_class alike: they differ
+ * in name only. */
 const void *cone_create(Arena *arena, const ConeDesc *desc, const char **error);
 extern const ShapeClass cone_class, cylinder_class;
 

@@ -14,7 +14,8 @@ typedef struct Container {
 /* The box from <-1,-1,-1> to <1,1,1>. */
 Container container_default(void);
 Box3 container_bounds(const Container *container);
-/* The part of the line that lies inside, whatever the ray's own ends; faces as box_cross, 0 for a sphere. */
+/* The part of the line that lies inside, whatever the ray's own ends; faces as box_cross, 0 for
+ * a sphere. */
 bool container_cross(const Container *container, const Ray *ray, double t[2], int faces[2]);
 bool container_inside(const Container *container, Vec3 p);
 /* Outward normal at a point of the surface; face from container_cross. */

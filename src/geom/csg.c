@@ -48,7 +48,8 @@ static Box3 child_region(const CsgView *view, int i)
 {
 	if (!view->flip)
 		return shape_region_box(view->csg->children[i]);
-	/* A clipped shape, inverted, is not the complement of what it was; be careful and bound nothing. */
+	/* A clipped shape, inverted, is not the complement of what it was; be careful and bound
+	 * nothing. */
 	Shape flipped = *view->csg->children[i];
 	flipped.inverted = !flipped.inverted;
 	return flipped.clip_count ? infinite_box() : shape_region_box(&flipped);

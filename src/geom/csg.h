@@ -1,10 +1,10 @@
 /*
- * Constructive solid geometry over shapes in world space. A difference is an intersection whose later children are
- * inverted. A union keeps inner surfaces, a merge removes them.
+ * Constructive solid geometry over shapes in world space. A difference is an intersection whose
+ * later children are inverted. A union keeps inner surfaces, a merge removes them.
  *
- * `inverted` on a CSG shape follows De Morgan: an inverted union or merge acts as the intersection of its inverted children, an
- * inverted intersection as their merge. The primitives inside still report their own normals: csg_invert makes a copy whose
- * primitives are inverted themselves.
+ * `inverted` on a CSG shape follows De Morgan: an inverted union or merge acts as the intersection
+ * of its inverted children, an inverted intersection as their merge. The primitives inside still
+ * report their own normals: csg_invert makes a copy whose primitives are inverted themselves.
  */
 #ifndef GEOM_CSG_H
 #define GEOM_CSG_H
@@ -22,7 +22,8 @@ typedef struct Csg {
 
 extern const ShapeClass csg_union_class, csg_intersection_class, csg_merge_class;
 
-/* Data for the three classes, with a tree when there are many children. children must outlive it. */
+/* Data for the three classes, with a tree when there are many children. children must outlive
+ * it. */
 const Csg *csg_create(Arena *arena, const Shape *const *children, int count);
 
 bool csg_is(const Shape *shape);

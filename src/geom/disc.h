@@ -1,4 +1,5 @@
-/* A flat disc, perhaps with a hole. In CSG it divides space as its plane does: the side away from the normal is inside. */
+/* A flat disc, perhaps with a hole. In CSG it divides space as its plane does: the side away
+ * from the normal is inside. */
 #ifndef GEOM_DISC_H
 #define GEOM_DISC_H
 

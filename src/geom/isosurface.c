@@ -1,8 +1,9 @@
 /*
- * The function's values along the ray, inside the container. On an interval of length l whose ends have values a and b of the
- * same sign the surface can only lie where |a| + |b| <= max_gradient l; the other intervals are halved until they are shorter
- * than the accuracy, and then a change of sign is a crossing. With a max_gradient that is too small some crossings get lost, as
- * the language defines. The crossing itself is refined within its last interval.
+ * The function's values along the ray, inside the container. On an interval of length l whose ends
+ * have values a and b of the same sign the surface can only lie where |a| + |b| <= max_gradient l;
+ * the other intervals are halved until they are shorter than the accuracy, and then a change of
+ * sign is a crossing. With a max_gradient that is too small some crossings get lost, as the
+ * language defines. The crossing itself is refined within its last interval.
  */
 #include "geom/isosurface.h"
 
@@ -23,8 +24,8 @@ IsosurfaceDesc isosurface_default(void)
 	};
 }
 
-/* POV-Ray lets the gradient of `evaluate` grow from its first parameter, by the second, as it meets steeper places; the manual's
- * recipe makes first * second^2 the steepest one. */
+/* POV-Ray lets the gradient of `evaluate` grow from its first parameter, by the second, as it
+ * meets steeper places; the manual's recipe makes first * second^2 the steepest one. */
 static double effective_gradient(const IsosurfaceDesc *desc)
 {
 	const double *p = desc->evaluate_parameters;

@@ -1,6 +1,6 @@
 /*
- * Isosurfaces: where a function of space equals a threshold, inside a container. The function is a callback, so that this room
- * needs to know nothing about how functions are made.
+ * Isosurfaces: where a function of space equals a threshold, inside a container. The function is a
+ * callback, so that this room needs to know nothing about how functions are made.
  */
 #ifndef GEOM_ISOSURFACE_H
 #define GEOM_ISOSURFACE_H

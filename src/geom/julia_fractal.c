@@ -1,11 +1,12 @@
 /*
- * A ray in three dimensions is one in four: w follows from the slice's plane. Outside, an estimate of the distance to the set
- * gives the step, never less than 1 / precision; where the set is met, the step is bisected. The estimate is the classic
- * |z| log |z| / 2 |z'| of Julia sets of polynomials (Hart, Sandin, Kauffman 1989); hypercomplex numbers go by the least
- * step alone. The normal is the gradient of the last iterate's length, by the chain rule.
+ * A ray in three dimensions is one in four: w follows from the slice's plane. Outside, an estimate
+ * of the distance to the set gives the step, never less than 1 / precision; where the set is met,
+ * the step is bisected. The estimate is the classic |z| log |z| / 2 |z'| of Julia sets of
+ * polynomials (Hart, Sandin, Kauffman 1989); hypercomplex numbers go by the least step alone. The
+ * normal is the gradient of the last iterate's length, by the chain rule.
  *
- * Hypercomplex numbers are pairs of complex ones: with a = (x - w) + i (y + z) and b = (x + w) + i (y - z) every function acts
- * on a and b alone.
+ * Hypercomplex numbers are pairs of complex ones: with a = (x - w) + i (y + z) and b = (x + w) + i
+ * (y - z) every function acts on a and b alone.
  */
 #include "geom/julia_fractal.h"
 
@@ -64,7 +65,8 @@ const void *julia_create(Arena *arena, const JuliaDesc *desc, const char **error
 	julia->tilt = vec3(-n[0] / n[3], -n[1] / n[3], -n[2] / n[3]);
 	julia->offset = desc->slice_distance * sqrt(n[0] * n[0] + n[1] * n[1] + n[2] * n[2] + n[3] * n[3]) / n[3];
 	julia->least = 1 / fmax(1, desc->precision);
-	/* POV-Ray's images show that the point itself counts as the first hypercomplex number, but not as the first quaternion. */
+	/* POV-Ray's images show that the point itself counts as the first hypercomplex number,
+	 * but not as the first quaternion. */
 	julia->iterations = desc->hypercomplex ? desc->max_iteration - 1 : desc->max_iteration;
 	double length = 1 + sqrt(p.x * p.x + p.y * p.y + p.z * p.z + p.w * p.w);
 	julia->radius = desc->hypercomplex ? 4 : fmin(2, length);

@@ -1,6 +1,6 @@
 /*
- * A slice through a four-dimensional Julia set: points h whose iterates f(h) + p stay within radius 4. Found by stepping along the
- * ray with an estimated distance.
+ * A slice through a four-dimensional Julia set: points h whose iterates f(h) + p stay within radius
+ * 4. Found by stepping along the ray with an estimated distance.
  */
 #ifndef GEOM_JULIA_FRACTAL_H
 #define GEOM_JULIA_FRACTAL_H
@@ -25,7 +25,8 @@ typedef struct JuliaDesc {
 } JuliaDesc;
 
 JuliaDesc julia_default(void);
-/* NULL with *error set when the slice's fourth component is zero or the algebra has no such function. */
+/* NULL with *error set when the slice's fourth component is zero or the algebra has no such
+ * function. */
 const void *julia_create(Arena *arena, const JuliaDesc *desc, const char **error);
 extern const ShapeClass julia_fractal_class;
 

@@ -1,7 +1,7 @@
 /*
- * In the half plane (r, y): an arc of the bottom circle, one of the top circle, and between them an arc that touches both
- * from outside, whose centre (-h, v) lies across the axis: turned about y, the inner leaf of a spindle torus. The arc's
- * radius is twice the larger of the two.
+ * In the half plane (r, y): an arc of the bottom circle, one of the top circle, and between them an
+ * arc that touches both from outside, whose centre (-h, v) lies across the axis: turned about y,
+ * the inner leaf of a spindle torus. The arc's radius is twice the larger of the two.
  */
 #include "geom/ovus.h"
 
@@ -63,7 +63,8 @@ static void cross_spheres(const Shape *self, const Ray *ray, HitList *out)
 				hit_list_add(out, ray, self, t[i], PART_TOP);
 }
 
-/* What the ray has between the arc's two ends, in a parameter from *middle on; false when nothing. */
+/* What the ray has between the arc's two ends, in a parameter from *middle on; false when
+ * nothing. */
 static bool arc_span(const Ovus *ovus, const Ray *ray, double *middle, double *half)
 {
 	double t[2], dy = ray->direction.y, widest = 2 * (ovus->bottom + ovus->top);
@@ -81,7 +82,8 @@ static bool arc_span(const Ovus *ovus, const Ray *ray, double *middle, double *h
 	return t[0] < t[1];
 }
 
-/* (|q|^2 + h^2 - arc^2)^2 = 4 h^2 (x^2 + z^2) with q = p - (0, v, 0); on the inner leaf the bracket is negative. */
+/* (|q|^2 + h^2 - arc^2)^2 = 4 h^2 (x^2 + z^2) with q = p - (0, v, 0); on the inner leaf the
+ * bracket is negative. */
 static void cross_arc(const Shape *self, const Ray *ray, HitList *out)
 {
 	const Ovus *ovus = self->data;

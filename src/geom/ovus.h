@@ -1,4 +1,5 @@
-/* An egg: a bottom sphere at the origin, a top sphere whose centre lies on the bottom sphere's top, a lemon between. */
+/* An egg: a bottom sphere at the origin, a top sphere whose centre lies on the bottom sphere's
+ * top, a lemon between. */
 #ifndef GEOM_OVUS_H
 #define GEOM_OVUS_H
 

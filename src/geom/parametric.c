@@ -1,7 +1,8 @@
 /*
- * The range of (u, v) is divided into a grid of cells whose boxes, a little larger than their corners and middles ask for, stand
- * in a tree. In each cell that a ray may touch, the two triangles of its corners give a first guess and Newton's iteration on
- * surface(u, v) = origin + t direction finds the crossing. Details finer than the grid may be missed.
+ * The range of (u, v) is divided into a grid of cells whose boxes, a little larger than their
+ * corners and middles ask for, stand in a tree. In each cell that a ray may touch, the two
+ * triangles of its corners give a first guess and Newton's iteration on surface(u, v) = origin + t
+ * direction finds the crossing. Details finer than the grid may be missed.
  */
 #include "geom/parametric.h"
 

@@ -1,4 +1,5 @@
-/* Parametric surfaces: the points (x, y, z)(u, v) inside a container. A thin shell without inside. hit.u and hit.v: where. */
+/* Parametric surfaces: the points (x, y, z)(u, v) inside a container. A thin shell without
+ * inside. hit.u and hit.v: where. */
 #ifndef GEOM_PARAMETRIC_H
 #define GEOM_PARAMETRIC_H
 

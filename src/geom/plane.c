@@ -1,6 +1,7 @@
 #include "geom/plane.h"
 
-/* Points this little above the plane still count as inside, so that a cut along the plane itself is clean. */
+/* Points this little above the plane still count as inside, so that a cut along the plane itself
+ * is clean. */
 static const double INSIDE_TOLERANCE = 1e-10;
 
 typedef struct Plane {

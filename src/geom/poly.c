@@ -1,7 +1,8 @@
 /*
- * A ray turns the polynomial in x, y, z into one in t: Horner's scheme over the three variables, each a linear polynomial of t.
- * Coefficients stand in the order that the scheme needs them: x^i falling, within it y^j, within it z^k. The ray's origin is
- * first moved to the point nearest to the shape's own origin, where algebraic surfaces usually live.
+ * A ray turns the polynomial in x, y, z into one in t: Horner's scheme over the three variables,
+ * each a linear polynomial of t. Coefficients stand in the order that the scheme needs them: x^i
+ * falling, within it y^j, within it z^k. The ray's origin is first moved to the point nearest to
+ * the shape's own origin, where algebraic surfaces usually live.
  */
 #include "geom/poly.h"
 
@@ -126,7 +127,8 @@ const void *poly_create(Arena *arena, int order, const double *coefficients, con
 	return poly;
 }
 
-/* sum = sum * (origin + t step) + extra, where sum has the degree `degree` - 1 and extra at most `degree`. */
+/* sum = sum * (origin + t step) + extra, where sum has the degree `degree` - 1 and extra at most
+ * `degree`. */
 static void multiply_add(double *sum, int degree, double origin, double step, const double *extra)
 {
 	sum[degree] = 0;

@@ -7,7 +7,8 @@
 
 enum { NEWTON_STEPS = 128, MAX_HALVINGS = 5 };
 
-/* Relative precision of the roots asked for, and of critical points, which only need to tell roots apart. */
+/* Relative precision of the roots asked for, and of critical points, which only need to tell
+ * roots apart. */
 static const double ROOT_PRECISION = 1e-15, CRITICAL_PRECISION = 1e-8;
 
 double polynomial_eval(const double *c, int degree, double t)
@@ -121,7 +122,8 @@ static int roots_between(const Search *search, double *roots)
 		return quadratic_between(c, search->lo, search->hi, roots);
 	double ends[POLYNOMIAL_MAX_DEGREE + 1];
 	int end_count = monotone_ends(search, ends), count = 0;
-	/* last is the latest place where the value was not zero; a piece that starts at zero has no root of its own. */
+	/* last is the latest place where the value was not zero; a piece that starts at zero has
+	 * no root of its own. */
 	double last = search->lo, last_value = polynomial_eval(c, degree, last);
 	for (int i = 0; i < end_count; i++) {
 		double value = polynomial_eval(c, degree, ends[i]);

@@ -24,7 +24,8 @@ static inline void ray_slabs_clip(double lo, double hi, double origin, double in
 	t[1] = far < t[1] ? far : t[1];
 }
 
-/* True when the ray may hit something in the box, which should be a little larger than what it holds. */
+/* True when the ray may hit something in the box, which should be a little larger than what it
+ * holds. */
 static inline bool ray_slabs_hit(const RaySlabs *ray, const Box3 *box)
 {
 	double t[2] = {ray->tmin, ray->tmax};

@@ -3,7 +3,8 @@
 #include "geom/csg.h"
 #include "geom/ray_box.h"
 
-/* Boxes are kept larger than the shape by this part of their size, so that rounding never loses a hit. */
+/* Boxes are kept larger than the shape by this part of their size, so that rounding never loses
+ * a hit. */
 static const double BOX_MARGIN = 1e-9;
 
 static Box3 infinite_box(void)

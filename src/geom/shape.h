@@ -1,11 +1,13 @@
 /*
- * A shape as the renderer sees it: a class (what it can do), the class' data in the shape's own space, and a place in the
- * world. Immutable once made; data may be shared by many shapes (instances). CSG is a shape whose data are shapes.
+ * A shape as the renderer sees it: a class (what it can do), the class' data in the shape's own
+ * space, and a place in the world. Immutable once made; data may be shared by many shapes
+ * (instances). CSG is a shape whose data are shapes.
  *
- * Rays keep their parameter: a class gets the world ray taken into its own space with the direction NOT normalised
- * again, so t means the same everywhere.
+ * Rays keep their parameter: a class gets the world ray taken into its own space with the direction
+ * NOT normalised again, so t means the same everywhere.
  *
- * A new shape is one .c file with a ShapeClass, one header with its data, and one row in lang's table of words.
+ * A new shape is one .c file with a ShapeClass, one header with its data, and one row in lang's
+ * table of words.
  */
 #ifndef GEOM_SHAPE_H
 #define GEOM_SHAPE_H
@@ -25,8 +27,9 @@ typedef struct Ray {
 
 static inline Vec3 ray_at(const Ray *ray, double t) { return vec3_mad(ray->origin, t, ray->direction); }
 
-/* One crossing of a ray with a primitive's surface. part, u, v mean what the primitive's class wants: a side, a
- * triangle and its barycentrics, a spline segment... They are kept for the class' own normal and uv. */
+/* One crossing of a ray with a primitive's surface. part, u, v mean what the primitive's class
+ * wants: a side, a triangle and its barycentrics, a spline segment... They are kept for the
+ * class' own normal and uv. */
 typedef struct Hit {
 	double t;
 	const Shape *shape; /* the primitive, never a CSG */
@@ -76,22 +79,26 @@ struct ShapeClass {
 	const char *name; /* as in the scene language */
 	/* Bounds in own space; false when unbounded. */
 	bool (*bounds)(const void *data, Box3 *box);
-	/* Pushes every crossing with ray->tmin < t < ray->tmax, in any order, with hit.shape = self. Tangent touches may
-	 * be left out. scene ray already in own space. */
+	/* Pushes every crossing with ray->tmin < t < ray->tmax, in any order, with hit.shape =
+	 * self. Tangent touches may be left out. scene ray already in own space. */
 	void (*intersect)(const Shape *self, const Ray *ray, HitList *out);
-	/* True when p (own space) is inside. NULL for a surface that has no inside (a triangle, a disc counts as half space:
-	 * see its file). The Shape's inverted flag is applied by the caller. */
+	/* True when p (own space) is inside. NULL for a surface that has no inside (a triangle,
+	 * a disc counts as half space: see its file). The Shape's inverted flag is applied by
+	 * the caller. */
 	bool (*inside)(const void *data, Vec3 p);
 	/* Normal at own-space point p of a hit, in own space, outward for solids, any length. */
 	Vec3 (*normal)(const void *data, const Hit *hit, Vec3 p);
 	/* uv at own-space point p; NULL: POV-Ray's default (x and y of the point). */
 	Vec2 (*uv)(const void *data, const Hit *hit, Vec3 p);
-	/* Optional: the nearest crossing alone, for shapes where it is much cheaper than all; true when there is one. */
+	/* Optional: the nearest crossing alone, for shapes where it is much cheaper than all;
+	 * true when there is one. */
 	bool (*nearest)(const Shape *self, const Ray *ray, Hit *out);
-	/* Optional: a smooth shading normal that differs from the geometric one (meshes, height fields); own space. */
+	/* Optional: a smooth shading normal that differs from the geometric one (meshes, height
+	 * fields); own space. */
 	Vec3 (*shading_normal)(const void *data, const Hit *hit, Vec3 p);
-	/* Optional: which of the owner's several textures cover the hit (meshes with texture_list, blob components): fills out,
-	 * returns how many; 0: the owner's one texture. Number -1 stands for the owner's texture. p: the hit's place in own space. */
+	/* Optional: which of the owner's several textures cover the hit (meshes with
+	 * texture_list, blob components): fills out, returns how many; 0: the owner's one
+	 * texture. Number -1 stands for the owner's texture. p: the hit's place in own space. */
 	int (*textures)(const void *data, const Hit *hit, Vec3 p, ShapeTextures *out);
 	/* inside() can hold outside of bounds(): a disc divides all space. */
 	bool inside_unbounded;
@@ -121,7 +128,8 @@ bool shape_nearest(const Shape *shape, const Ray *ray, Hit *out);
 bool shape_inside(const Shape *shape, Vec3 world);
 bool shape_is_bounded(const Shape *shape);
 
-/* At a hit on a primitive, world space, unit length. The geometric normal points outward (inverted shapes: inward). */
+/* At a hit on a primitive, world space, unit length. The geometric normal points outward
+ * (inverted shapes: inward). */
 Vec3 hit_normal(const Hit *hit, Vec3 world);
 Vec3 hit_shading_normal(const Hit *hit, Vec3 world);
 Vec2 hit_uv(const Hit *hit, Vec3 world);

@@ -1,8 +1,9 @@
 /*
- * On one segment the sphere's centre c(s) and radius r(s) are polynomials of degree 1 or 3, 0 <= s <= 1. The ray is in the
- * sphere of s from b(s) - sqrt(D(s)) to b(s) + sqrt(D(s)), where b is the point of the ray nearest to c(s) and D > 0. Over an
- * interval of s where D stays positive these spans run into each other, so the ray is in the swept body from the least of the
- * entries to the greatest of the exits: at the interval's ends, or where the derivative vanishes, 4 D b'^2 = D'^2.
+ * On one segment the sphere's centre c(s) and radius r(s) are polynomials of degree 1 or 3, 0 <= s
+ * <= 1. The ray is in the sphere of s from b(s) - sqrt(D(s)) to b(s) + sqrt(D(s)), where b is the
+ * point of the ray nearest to c(s) and D > 0. Over an interval of s where D stays positive these
+ * spans run into each other, so the ray is in the swept body from the least of the entries to the
+ * greatest of the exits: at the interval's ends, or where the derivative vanishes, 4 D b'^2 = D'^2.
  */
 #include "geom/sphere_sweep.h"
 
@@ -281,7 +282,8 @@ static void sphere_sweep_intersect(const Shape *self, const Ray *ray, HitList *o
 	list.spans = list.first;
 	list.count = 0;
 	list.capacity = INLINE_SPANS;
-	/* A span that begins before the ray's start may hide another's end: look at the whole line. */
+	/* A span that begins before the ray's start may hide another's end: look at the whole
+	 * line. */
 	Ray line = {ray->origin, ray->direction, -INFINITY, INFINITY};
 	RaySlabs slabs = ray_slabs(&line);
 	box_tree_walk_ray(list.sweep->tree, &slabs, visit_segment, &list);

@@ -1,8 +1,9 @@
 /*
- * The gauge g(p) = (rho^(2/n) + |z|^(2/n))^(n/2), rho = (|x|^(2/e) + |y|^(2/e))^(e/2), is 1 on the surface and grows in
- * proportion along lines from the origin. For exponents up to 2 it is a norm, hence convex along any line, and Newton's
- * iteration from either side of the box around walks up to the surface without ever passing it. Pinched shapes (an
- * exponent above 2) are searched by sampling between the planes where the gauge has kinks.
+ * The gauge g(p) = (rho^(2/n) + |z|^(2/n))^(n/2), rho = (|x|^(2/e) + |y|^(2/e))^(e/2), is 1 on the
+ * surface and grows in proportion along lines from the origin. For exponents up to 2 it is a norm,
+ * hence convex along any line, and Newton's iteration from either side of the box around walks up
+ * to the surface without ever passing it. Pinched shapes (an exponent above 2) are searched by
+ * sampling between the planes where the gauge has kinks.
  */
 #include "geom/superellipsoid.h"
 
@@ -34,7 +35,8 @@ static bool superellipsoid_bounds(const void *data, Box3 *box)
 	return true;
 }
 
-/* (a^p + b^p)^(1/p) for a, b >= 0 and p = 2 / exponent, with its derivatives; free of overflow by scaling. */
+/* (a^p + b^p)^(1/p) for a, b >= 0 and p = 2 / exponent, with its derivatives; free of overflow
+ * by scaling. */
 static double pair_norm(double a, double b, double exponent, double slopes[2])
 {
 	double larger = fmax(a, b), smaller = fmin(a, b);
@@ -105,7 +107,8 @@ static double bisect(const Superellipsoid *shape, const Ray *ray, double lo, dou
 	return 0.5 * (lo + hi);
 }
 
-/* Where the ray passes the planes x = 0, y = 0, z = 0, x = y, x = -y between t[0] and t[1], then t[1]; rising. */
+/* Where the ray passes the planes x = 0, y = 0, z = 0, x = y, x = -y between t[0] and t[1], then
+ * t[1]; rising. */
 static int kinks_between(const Ray *ray, const double t[2], double ends[KINK_PLANES + 1])
 {
 	static const Vec3 planes[KINK_PLANES] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {1, 1, 0}, {1, -1, 0}};

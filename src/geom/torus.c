@@ -1,6 +1,7 @@
 /*
- * (|p|^2 + R^2 - r^2)^2 = 4 R^2 (x^2 + z^2): a quartic along the ray. The ray's origin is first moved to the middle of the
- * piece that can touch the torus, which keeps the coefficients small however far the camera is.
+ * (|p|^2 + R^2 - r^2)^2 = 4 R^2 (x^2 + z^2): a quartic along the ray. The ray's origin is first
+ * moved to the middle of the piece that can touch the torus, which keeps the coefficients small
+ * however far the camera is.
  */
 #include "geom/torus.h"
 

@@ -19,7 +19,8 @@ static inline Vec3 test_point(Sampler *sampler, double size)
 	return vec3(2 * size * x, 2 * size * y, 2 * size * z);
 }
 
-/* A ray from well outside of a ball of that size around the origin through a point of it; the direction of any length. */
+/* A ray from well outside of a ball of that size around the origin through a point of it; the
+ * direction of any length. */
 static inline Ray test_ray(Sampler *sampler, double size)
 {
 	Vec3 from = vec3_scale(vec3_normalize(test_point(sampler, 1)), 3 * size);

@@ -30,7 +30,8 @@ static void test_quaternion(Arena *arena)
 	CHECK(!julia_create(arena, &desc, &message));
 }
 
-/* With parameter 0, z^2 stays within its bound inside a sphere of radius 1, nearly, after many iterations. */
+/* With parameter 0, z^2 stays within its bound inside a sphere of radius 1, nearly, after many
+ * iterations. */
 static void test_sphere(Arena *arena)
 {
 	JuliaDesc desc = julia_default();
