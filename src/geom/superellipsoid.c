@@ -9,7 +9,7 @@
 
 #include "geom/box.h"
 
-enum { NEWTON_STEPS = 60, PINCHED_SAMPLES = 24, KINK_PLANES = 5 };
+enum { NEWTON_STEPS = 60, PINCHED_SAMPLES = 10, KINK_PLANES = 5 };
 
 typedef struct Superellipsoid {
 	double e, n;
@@ -95,16 +95,27 @@ static double gauge_along(const Superellipsoid *shape, const Ray *ray, double t)
 	return gauge(shape, ray_at(ray, t), &gradient) - 1;
 }
 
-static double bisect(const Superellipsoid *shape, const Ray *ray, double lo, double hi, bool low_outside)
+/* The crossing between two places with values of different sign: the Illinois form of the secant
+ * method. */
+static double refine(const Superellipsoid *shape, const Ray *ray, const double t[2],
+                     const double values[2])
 {
-	for (int i = 0; i < NEWTON_STEPS; i++) {
-		double middle = 0.5 * (lo + hi);
-		if ((gauge_along(shape, ray, middle) > 0) == low_outside)
-			lo = middle;
-		else
-			hi = middle;
+	double a = t[0], b = t[1], at_a = values[0], at_b = values[1];
+	for (int i = 0; i < NEWTON_STEPS && fabs(b - a) > 1e-13 * fabs(b); i++) {
+		double next = b - at_b * (b - a) / (at_b - at_a);
+		double value = gauge_along(shape, ray, next);
+		if (value == 0 || next == b)
+			return next;
+		if ((value > 0) != (at_b > 0)) {
+			a = b;
+			at_a = at_b;
+		} else {
+			at_a *= 0.5;
+		}
+		b = next;
+		at_b = value;
 	}
-	return 0.5 * (lo + hi);
+	return b;
 }
 
 /* Where the ray passes the planes x = 0, y = 0, z = 0, x = y, x = -y between t[0] and t[1], then
@@ -129,20 +140,20 @@ static int kinks_between(const Ray *ray, const double t[2], double ends[KINK_PLA
 static void cross_pinched(const Shape *self, const Ray *ray, const double t[2], HitList *out)
 {
 	const Superellipsoid *shape = self->data;
-	double ends[KINK_PLANES + 1], last = t[0];
+	double ends[KINK_PLANES + 1], last = t[0], before = t[0], value_before = 1;
 	int count = kinks_between(ray, t, ends);
-	bool outside = true;
-	for (int i = 0; i < count; i++) {
-		double step = (ends[i] - last) / PINCHED_SAMPLES, before = last;
+	for (int i = 0; i < count; last = ends[i++]) {
+		double step = (ends[i] - last) / PINCHED_SAMPLES;
 		for (int k = 1; k <= PINCHED_SAMPLES; k++) {
-			double at = k < PINCHED_SAMPLES ? before + step : ends[i];
-			if ((gauge_along(shape, ray, at) > 0) != outside) {
-				hit_list_add(out, ray, self, bisect(shape, ray, before, at, outside), 0);
-				outside = !outside;
+			double at = k < PINCHED_SAMPLES ? last + k * step : ends[i];
+			double value = gauge_along(shape, ray, at);
+			if ((value > 0) != (value_before > 0)) {
+				double places[] = {before, at}, values[] = {value_before, value};
+				hit_list_add(out, ray, self, refine(shape, ray, places, values), 0);
 			}
 			before = at;
+			value_before = value;
 		}
-		last = ends[i];
 	}
 }
 
