@@ -25,6 +25,8 @@ typedef struct PhotonMap {
 	PhotonLight *lights;
 	int light_count;
 	PhotonTree *tree;        /* NULL until photon_map_index */
+	float *constraint;       /* of each photon, in [0, 1]: how freely relaxation let it move across the feature it lies on
+	                          * (length of v_b, SJ13 eq. 7); NULL: not relaxed under constraints */
 	double spacing;          /* mean distance of neighbours on the surfaces, from the photons themselves; 0: unknown */
 } PhotonMap;
 
