@@ -142,14 +142,13 @@ static void take_mortar(Cursor *cursor, Pattern *pattern)
 		cursor_take_float(cursor, &data->mortar);
 }
 
-/* coords S or size S of facets: one excludes the other. */
+/* coords S and size S of facets. */
 static void take_facets_size(Cursor *cursor, Pattern *pattern)
 {
 	if (!belongs(cursor, pattern, "facets"))
 		return;
-	FacetsData *data = build_pattern_data(cursor->context, pattern, &(FacetsData){0, 0}, sizeof *data);
+	FacetsData *data = build_pattern_data(cursor->context, pattern, &(FacetsData){0, 0.1}, sizeof *data);
 	bool coords = cursor->last->word == W_coords;
-	*data = (FacetsData){0, 0};
 	cursor_take_float(cursor, coords ? &data->coords : &data->size);
 }
 

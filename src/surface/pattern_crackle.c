@@ -100,6 +100,7 @@ static double value_crackle(const Pattern *pattern, const SurfacePoint *at)
 	return v < 0 ? 0 : v > 1 ? 1 : v;
 }
 
+/* Facets bend normals only; POV-Ray refuses them elsewhere. */
 static double value_facets(const Pattern *pattern, const SurfacePoint *at)
 {
 	(void)pattern;
@@ -107,6 +108,23 @@ static double value_facets(const Pattern *pattern, const SurfacePoint *at)
 	return 0;
 }
 
+/* With coords, each of crackle's cells is tilted its own way; else the normal itself snaps to the nearest of crackle's points
+ * in the space of normals. */
+static void bump_facets(const Pattern *pattern, const SurfacePoint *at, double amount, Vec3 *normal)
+{
+	static const FacetsData usual = {0, 0.1};
+	const FacetsData *facets = pattern->data ? pattern->data : &usual;
+	(void)amount;
+	if (facets->coords == 0) {
+		*normal = vec3_normalize(nearest_find(vec3_scale(*normal, 1 / facets->size), 2).point);
+		return;
+	}
+	Vec3 cell = nearest_find(vec3_scale(at->p, 1 / facets->size), 2).point;
+	Vec3 tilt = noise_vector(cell, pattern_generator(pattern));
+	tilt = vec3_mad(tilt, -vec3_dot(tilt, *normal), *normal);
+	*normal = vec3_mad(*normal, facets->coords, tilt);
+}
+
 const PatternClass pattern_cells = {"cells", value_cells, 0, NULL, 0};
 const PatternClass pattern_crackle = {"crackle", value_crackle, 0, NULL, 0};
-const PatternClass pattern_facets = {"facets", value_facets, 0, NULL, PATTERN_NEEDS_DATA};
+const PatternClass pattern_facets = {"facets", value_facets, 0, bump_facets, 0};

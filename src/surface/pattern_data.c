@@ -90,16 +90,13 @@ DensityData *density_parse(Arena *arena, const uint8_t *bytes, size_t length)
 	return data;
 }
 
-static int wrapped(int i, int count)
-{
-	i %= count;
-	return i < 0 ? i + count : i;
-}
+/* -1 is taken as 2^32 - 1, as POV-Ray does: the last voxel only where count is a power of two. */
+static uint32_t wrapped(int i, int count) { return (uint32_t)i % (uint32_t)count; }
 
 static double voxel_at(const DensityData *d, int x, int y, int z)
 {
-	size_t row = (size_t)wrapped(z, d->size_z) * (size_t)d->size_y + (size_t)wrapped(y, d->size_y);
-	return d->voxels[row * (size_t)d->size_x + (size_t)wrapped(x, d->size_x)];
+	size_t row = wrapped(z, d->size_z) * (size_t)d->size_y + wrapped(y, d->size_y);
+	return d->voxels[row * (size_t)d->size_x + wrapped(x, d->size_x)];
 }
 
 /* The weights of four neighbours, the first of them one below: linear, or Catmull and Rom's cubic. */

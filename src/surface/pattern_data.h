@@ -34,7 +34,8 @@ typedef struct CrackleData {
 	bool solid;
 } CrackleData;
 
-typedef struct FacetsData { double coords, size; } FacetsData; /* exactly one of them is not 0; needed */
+/* facets: coords 0 snaps normals, else it is how far facets tilt; size, 0.1, is theirs in either case. */
+typedef struct FacetsData { double coords, size; } FacetsData;
 
 /* mandel, julia, magnet1m, magnet2m, magnet1j, magnet2j (the names of the classes; `magnet 1 mandel` is magnet1m) */
 typedef struct FractalData {
