@@ -56,7 +56,9 @@ void antialias_grid(const AntialiasPixel *pixel, const FilmPixel *first, FilmPix
 {
 	const RenderOptions *options = pixel->options;
 	int depth = options->depth;
-	double sum[4] = {0};
+	double sum[4];
+	for (int k = 0; k < 4; k++)
+		sum[k] = first->v[k]; /* counts like the others */
 	SamplePlace corner = pixel_place(pixel);
 	for (int i = 0; i < depth * depth; i++) {
 		SamplePlace place = corner;
@@ -70,7 +72,7 @@ void antialias_grid(const AntialiasPixel *pixel, const FilmPixel *first, FilmPix
 	}
 	*out = *first;
 	for (int k = 0; k < 4; k++)
-		out->v[k] = (float)(sum[k] / (depth * depth));
+		out->v[k] = (float)(sum[k] / (depth * depth + 1));
 	memcpy(out->v + film_layer_offset(FILM_DIRECT), out->v, 3 * sizeof(float));
 }
 
@@ -85,7 +87,7 @@ typedef struct SampleCache {
 } SampleCache;
 
 struct CornerGrid {
-	SampleCache pixel;   /* the finest grid of one pixel: 2^depth + 1 along an edge */
+	SampleCache pixel;   /* the finest grid of one pixel: 2^(depth - 1) + 1 along an edge */
 	SampleCache tile;    /* the corners of a tile's pixels, shared by neighbours */
 	int tile_x, tile_y;
 };
@@ -103,7 +105,7 @@ static void cache_init(SampleCache *cache, int side)
 CornerGrid *corner_grid_create(int depth, int tile)
 {
 	CornerGrid *grid = memory_alloc(sizeof *grid);
-	cache_init(&grid->pixel, (1 << depth) + 1);
+	cache_init(&grid->pixel, (1 << (depth - 1)) + 1); /* depth 1 is the corners alone: as measured, not as the manual says */
 	cache_init(&grid->tile, tile + 1);
 	return grid;
 }
