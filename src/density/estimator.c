@@ -14,7 +14,7 @@ struct DensityEstimator {
 /* A method a row. */
 static const EstimatorMethod *const methods[] = {
 	[ESTIMATOR_NEAREST] = &nearest_method,
-	[ESTIMATOR_DIFFUSION] = NULL,
+	[ESTIMATOR_DIFFUSION] = &diffusion_method,
 	[ESTIMATOR_FOOTPRINT] = NULL,
 	[ESTIMATOR_DEEP] = NULL,
 	[ESTIMATOR_ADAPTIVE] = NULL,
@@ -29,7 +29,9 @@ static bool says_nothing(const EstimatorSetup *setup)
 
 DensityEstimator *estimator_create(const EstimatorSetup *setup, Diag *diag)
 {
-	const EstimatorMethod *method = says_nothing(setup) ? &expand_method : methods[setup->method->kind];
+	const EstimatorMethod *method = methods[setup->method->kind];
+	if (says_nothing(setup))
+		method = &expand_method;
 	if (!method) {
 		diag_fail(diag, "this photon estimator is not available");
 		return NULL;
@@ -55,8 +57,8 @@ void estimator_destroy(DensityEstimator *estimator)
 	free(estimator);
 }
 
-void estimator_gather(const DensityEstimator *estimator, const GatherPoint *point, GatherBsdf *bsdf, void *data,
-                      GatherResult *result)
+void estimator_gather(const DensityEstimator *estimator, const GatherPoint *point, GatherBsdf *bsdf,
+                      void *data, GatherResult *result)
 {
 	GatherTask task = {estimator->map, point, bsdf, data};
 	*result = (GatherResult){0};

@@ -1,7 +1,8 @@
 /*
- * Estimators of photon density: from a gather point and the photons around it to the light that the surface shows. An estimator
- * knows photons and the point, not the scene. One method a file, a row in the table in estimator.c; which one is used is
- * said in the scene language, globally and per receiving object.
+ * Estimators of photon density: from a gather point and the photons around it to the light that
+ * the surface shows. An estimator knows photons and the point, not the scene. One method a file, a
+ * row in the table in estimator.c; which one is used is said in the scene language, globally and
+ * per receiving object.
  */
 #ifndef DENSITY_ESTIMATOR_H
 #define DENSITY_ESTIMATOR_H
@@ -20,7 +21,8 @@ typedef struct GatherPoint {
 	bool both_sides;  /* photons on the far side count as well (double_illuminate) */
 } GatherPoint;
 
-/* How a photon that arrives from direction (unit, away from the surface) counts at the point: the smooth lobes' value. */
+/* How a photon that arrives from direction (unit, away from the surface) counts at the point:
+ * the smooth lobes' value. */
 typedef Rgb GatherBsdf(void *data, Vec3 direction);
 
 typedef struct GatherResult {
@@ -34,18 +36,20 @@ typedef struct GatherResult {
 typedef struct DensityEstimator DensityEstimator;
 
 typedef struct EstimatorSetup {
-	const Estimator *method;       /* the object's or the scene's; all zeros: POV-Ray's way of gathering */
+	const Estimator *method;       /* object's or scene's; all zeros: POV-Ray's way of gathering */
 	const PhotonSettings *photons; /* the scene's: gather, radius, expand_thresholds */
 	const PhotonMap *map;          /* indexed; outlives the estimator */
-	double radius;                 /* of a progressive pass: every photon within it counts and kernels are as wide as it; 0: none */
+	double radius;                 /* of a progressive pass: every photon within it counts and
+	                                * kernels are as wide as it; 0: none */
 } EstimatorSetup;
 
-/* An estimator ready for one map: checks and prepares what the method needs (networks, ellipses, radii from the photons). What setup
- * points to, except the map, need not outlive the call. NULL on failure, reported. */
+/* An estimator ready for one map: checks and prepares what the method needs (networks,
+ * ellipses, radii from the photons). What setup points to, except the map, need not outlive
+ * the call. NULL on failure, reported. */
 DensityEstimator *estimator_create(const EstimatorSetup *setup, Diag *diag);
 void estimator_destroy(DensityEstimator *estimator); /* NULL is allowed */
 /* Thread-safe. */
-void estimator_gather(const DensityEstimator *estimator, const GatherPoint *point, GatherBsdf *bsdf, void *data,
-                      GatherResult *result);
+void estimator_gather(const DensityEstimator *estimator, const GatherPoint *point, GatherBsdf *bsdf,
+                      void *data, GatherResult *result);
 
 #endif

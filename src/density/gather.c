@@ -1,6 +1,7 @@
 #include "density/gather.h"
 
 #include <math.h>
+#include <stdlib.h>
 
 static const double least_cosine = 0.5, thickness = 0.25;
 
@@ -32,7 +33,8 @@ void gather_add(GatherSum *sum, const Photon *photon, double kernel)
 	add_parameter(sum, photon);
 	if (kernel == 0)
 		return;
-	Rgb value = rgb_mul(photon_flux(photon), sum->task->bsdf(sum->task->data, photon_direction(photon)));
+	Rgb value = sum->task->bsdf(sum->task->data, photon_direction(photon));
+	value = rgb_mul(value, photon_flux(photon));
 	sum->radiance[0] += kernel * value.r;
 	sum->radiance[1] += kernel * value.g;
 	sum->radiance[2] += kernel * value.b;
@@ -61,8 +63,37 @@ int gather_filter(const GatherTask *task, double radius, Neighbor *found, int co
 	return kept;
 }
 
-/* Eight times the radius that holds so many photons at the map's median density. */
+static int compare_distances(const void *a, const void *b)
+{
+	const Neighbor *x = a, *y = b;
+	if (x->distance2 != y->distance2)
+		return x->distance2 < y->distance2 ? -1 : 1;
+	return (x->index > y->index) - (x->index < y->index);
+}
+
+int gather_nearest(const GatherTask *task, int wanted, double reach, Neighbor *found,
+                   double *radius2)
+{
+	Vec3 p = task->point->position;
+	NearestQuery query = {{(float)p.x, (float)p.y, (float)p.z}, (float)(reach * reach), wanted, NULL};
+	for (int try = 1;; try++) {
+		int count = photon_tree_nearest(task->map->tree, &query, found);
+		bool full = count == query.count;
+		*radius2 = full || reach == INFINITY ? photon_tree_farthest(found, count) : reach * reach;
+		int kept = gather_filter(task, sqrt(*radius2), found, count);
+		if (kept > wanted) {
+			qsort(found, (size_t)kept, sizeof *found, compare_distances);
+			kept = wanted;
+			*radius2 = found[kept - 1].distance2;
+		}
+		if (kept == wanted || !full || try == GATHER_TRIES)
+			return kept;
+		query.count *= 2;
+	}
+}
+
 double gather_reach(const PhotonMap *map, int count)
 {
-	return 8 * map->spacing * sqrt(count / M_PI);
+	double reach = 8 * map->spacing * sqrt(count / M_PI);
+	return reach > 0 ? reach : INFINITY;
 }

@@ -1,9 +1,11 @@
 /*
- * What the estimators share: which photons belong to the gather point's surface, and sums over them.
+ * What the estimators share: which photons belong to the gather point's surface, and sums over
+ * them.
  *
- * A photon is refused when its surface's normal deviates from the gather point's by more than 60 degrees, or when it lies
- * outside a disc of a quarter of the radius' thickness along the normal: so the two sides of a thin wall, a shelf
- * over a table and the sides of a box's edge stay apart, while a surface of twice the radius' curvature keeps its photons.
+ * A photon is refused when its surface's normal deviates from the gather point's by more than 60
+ * degrees, or when it lies farther along the normal than a quarter of the radius: so the two sides
+ * of a thin wall, a shelf over a table and the sides of a box's edge stay apart, while a surface
+ * that curves with twice the radius keeps its photons.
  */
 #ifndef DENSITY_GATHER_H
 #define DENSITY_GATHER_H
@@ -23,10 +25,23 @@ typedef struct GatherSum {
 void gather_add(GatherSum *sum, const Photon *photon, double kernel);
 void gather_finish(const GatherSum *sum, double radius, GatherResult *result);
 
-/* Drops the neighbours that are not accepted from found, keeping the order; returns how many stay. */
+/* Drops the neighbours that are not accepted from found, keeping the order; returns how many
+ * stay. */
 int gather_filter(const GatherTask *task, double radius, Neighbor *found, int count);
 
-/* How far a gather may reach before it asks nobody's photons: from the map's spacing, for `count` photons; 0: unknown. */
+/*
+ * The wanted number of nearest accepted photons within reach, in no order; *radius2: the square of
+ * the radius of the disc they stand for, which is the farthest's distance, or the reach when there
+ * are fewer. found has GATHER_ROOM(wanted): when some are refused, farther ones are asked for.
+ * Returns how many.
+ */
+enum { GATHER_TRIES = 3 };
+#define GATHER_ROOM(wanted) (((wanted) << (GATHER_TRIES - 1)) + 8 * TREE_SLACK)
+int gather_nearest(const GatherTask *task, int wanted, double reach, Neighbor *found,
+                   double *radius2);
+
+/* How far to look at most for so many photons: eight times the radius that holds them at the map's
+ * median density; INFINITY when that is unknown. */
 double gather_reach(const PhotonMap *map, int count);
 
 #endif

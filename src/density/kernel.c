@@ -2,7 +2,8 @@
 
 #include <math.h>
 
-/* About as smooth as the cone (its integrated square is 0.55 against 0.48) with a step of 4 % of its height at the rim. */
+/* About as smooth as the cone (its integrated square is 0.55 against 0.48) with a step of 4 %
+ * of its height at the rim. */
 static const double gaussian_width = 0.4;
 
 static double gaussian_value(double t2)

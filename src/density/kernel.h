@@ -1,5 +1,6 @@
 /*
- * Radially symmetric kernels over the unit disc, each of integral one, as functions of t2 = (distance / radius)^2:
+ * Radially symmetric kernels over the unit disc, each of integral one, as functions of t2 =
+ * (distance / radius)^2:
  *
  *   uniform        1 / pi
  *   cone           3 / pi (1 - t)                   (Jensen 1996)

@@ -13,7 +13,7 @@ typedef struct GatherTask {
 } GatherTask;
 
 typedef struct EstimatorMethod {
-	const char *name;
+	const char *name; /* as in the scene */
 	/* The method's own data, one block for free(); NULL on failure, reported. */
 	void *(*create)(const EstimatorSetup *setup, Diag *diag);
 	/* result comes zeroed. */
@@ -21,6 +21,7 @@ typedef struct EstimatorMethod {
 } EstimatorMethod;
 
 extern const EstimatorMethod nearest_method;   /* nearest.c: k nearest, or a fixed radius */
+extern const EstimatorMethod diffusion_method; /* diffusion.c */
 extern const EstimatorMethod expand_method;    /* expand.c: as POV-Ray gathers */
 
 /* More photons than this per gather point are refused: they stand on the stack. */

@@ -1,17 +1,17 @@
 /*
- * Photon density from the k nearest photons (Jensen 1996, 2001): flux times a kernel as wide as the farthest of them is away,
- * summed. With a radius and no count, or in a progressive pass, the kernel has a fixed width instead and everything in it counts
- * (Hachisuka et al. 2008).
+ * Photon density from the k nearest photons (Jensen 1996, 2001): flux times a kernel as wide as
+ * the farthest of them is away, summed. With a radius and no count, or in a progressive pass, the
+ * kernel has a fixed width instead and everything in it counts (Hachisuka et al. 2008).
  *
- * What differs: the k-th photon only sets the width, being where every kernel ends, so k of them at a uniform density
- * give that density on the average also with the uniform kernel (k - 1 over pi r_k^2 is unbiased; Jensen counts all k). Photons of other
- * surfaces are refused (gather.h) and replaced by farther ones.
+ * What differs: the k-th photon only sets the width, being where every kernel ends, so uniform
+ * photons give their density on the average also with the uniform kernel (k - 1 over pi r_k^2 is
+ * unbiased; Jensen counts all k). Photons of other surfaces are refused (gather.h) and replaced by
+ * farther ones.
  *
- * What it does not do: correct for boundaries. Near an edge of the lit region, or of the surface, the disc reaches where no
- * photons can be and the estimate is low, as in the papers.
+ * What it does not do: correct for boundaries. Near an edge of the lit region, or of the surface,
+ * the disc reaches where no photons can be and the estimate is low, as in the papers.
  */
 #include <math.h>
-#include <stdlib.h>
 
 #include "base/arena.h"
 #include "density/gather.h"
@@ -24,7 +24,7 @@ typedef struct Nearest {
 	EstimatorKernel kernel;
 } Nearest;
 
-enum { DEFAULT_COUNT = 50, TRIES = 3 };
+enum { DEFAULT_COUNT = 50 };
 
 static void *nearest_create(const EstimatorSetup *setup, Diag *diag)
 {
@@ -38,8 +38,6 @@ static void *nearest_create(const EstimatorSetup *setup, Diag *diag)
 		n->count = DEFAULT_COUNT;
 	if (!(n->radius > 0))
 		n->radius = gather_reach(setup->map, n->count);
-	if (!(n->radius > 0))
-		n->radius = INFINITY;
 	return n;
 }
 
@@ -73,41 +71,12 @@ static void gather_disc(const Nearest *n, const GatherTask *task, GatherResult *
 
 /* ---- k nearest ---- */
 
-static int compare_distances(const void *a, const void *b)
+static void gather_count(const Nearest *n, const GatherTask *task, GatherResult *result)
 {
-	const Neighbor *x = a, *y = b;
-	if (x->distance2 != y->distance2)
-		return x->distance2 < y->distance2 ? -1 : 1;
-	return (x->index > y->index) - (x->index < y->index);
-}
-
-/* The wanted number of accepted neighbours, or fewer with *radius2 the whole reach. Returns how many. */
-static int find_accepted(const Nearest *n, const GatherTask *task, Neighbor *found, double *radius2)
-{
-	Vec3 p = task->point->position;
-	NearestQuery query = {{(float)p.x, (float)p.y, (float)p.z}, (float)(n->radius * n->radius), n->count, NULL};
-	for (int try = 1;; try++) {
-		int count = photon_tree_nearest(task->map->tree, &query, found);
-		bool full = count == query.count;
-		*radius2 = full || n->radius == INFINITY ? photon_tree_farthest(found, count) : n->radius * n->radius;
-		int kept = gather_filter(task, sqrt(*radius2), found, count);
-		if (kept > n->count) {
-			qsort(found, (size_t)kept, sizeof *found, compare_distances);
-			kept = n->count;
-			*radius2 = found[kept - 1].distance2;
-		}
-		if (kept == n->count || !full || try == TRIES)
-			return kept;
-		query.count *= 2;
-	}
-}
-
-static void gather_nearest(const Nearest *n, const GatherTask *task, GatherResult *result)
-{
-	Neighbor found[(n->count << (TRIES - 1)) + 8 * TREE_SLACK];
+	Neighbor found[GATHER_ROOM(n->count)];
 	GatherSum sum = {.task = task};
 	double radius2;
-	int count = find_accepted(n, task, found, &radius2);
+	int count = gather_nearest(task, n->count, n->radius, found, &radius2);
 	if (!(radius2 > 0)) /* photons in one point: there is no area to have a density */
 		count = 0;
 	for (int i = 0; i < count; i++)
@@ -122,7 +91,7 @@ static void nearest_gather(const void *method, const GatherTask *task, GatherRes
 	if (n->count == 0)
 		gather_disc(n, task, result);
 	else
-		gather_nearest(n, task, result);
+		gather_count(n, task, result);
 }
 
 const EstimatorMethod nearest_method = {"nearest", nearest_create, nearest_gather};

@@ -5,7 +5,8 @@
 
 int main(void)
 {
-	const EstimatorKernel kernels[] = {KERNEL_UNIFORM, KERNEL_CONE, KERNEL_EPANECHNIKOV, KERNEL_GAUSSIAN, KERNEL_ISOTROPIC};
+	const EstimatorKernel kernels[] = {KERNEL_UNIFORM, KERNEL_CONE, KERNEL_EPANECHNIKOV,
+	                                   KERNEL_GAUSSIAN, KERNEL_ISOTROPIC};
 	enum { STEPS = 20000 };
 	for (int k = 0; k < 5; k++) {
 		double sum = 0, last = INFINITY;
