@@ -4,7 +4,6 @@
  * point. Measured by trilateration with `crackle form <1, 0, 0>`.
  */
 #include <math.h>
-#include <stdlib.h>
 
 #include "surface/noise.h"
 #include "surface/pattern_classes.h"
@@ -23,22 +22,23 @@ static double value_cells(const Pattern *pattern, const SurfacePoint *at)
 	return noise_cube_random(cube_of(at->p)).x;
 }
 
-/* The three nearest points: distances, before the root of the metric, and where the nearest one is. */
-typedef struct Nearest { double distance[3]; Vec3 point; } Nearest;
+/* The nearest points: distances, before the root of the metric, and where the first one is. Only `wanted` are needed. */
+typedef struct Nearest { double distance[3]; Vec3 point; double metric; int wanted; } Nearest;
+
+static double metric_power(double d, double metric)
+{
+	return metric == 2 ? d * d : metric == 1 ? fabs(d) : pow(fabs(d), metric);
+}
 
 static double metric_distance(Vec3 d, double metric)
 {
-	if (metric == 2)
-		return vec3_length2(d);
-	if (metric == 1)
-		return fabs(d.x) + fabs(d.y) + fabs(d.z);
-	return pow(fabs(d.x), metric) + pow(fabs(d.y), metric) + pow(fabs(d.z), metric);
+	return metric_power(d.x, metric) + metric_power(d.y, metric) + metric_power(d.z, metric);
 }
 
-static void nearest_add(Nearest *n, Vec3 p, Vec3 cube, double metric)
+static void nearest_add(Nearest *n, Vec3 p, Vec3 cube)
 {
 	Vec3 point = vec3_add(cube, noise_cube_random(cube));
-	double distance = metric_distance(vec3_sub(p, point), metric);
+	double distance = metric_distance(vec3_sub(p, point), n->metric);
 	if (distance >= n->distance[2])
 		return;
 	int place = 2;
@@ -49,35 +49,41 @@ static void nearest_add(Nearest *n, Vec3 p, Vec3 cube, double metric)
 		n->point = point;
 }
 
-/* How far, by the metric, the cube with the given offset along each axis is from a place in the middle cube. */
-static double cube_distance(Vec3 place, int i, int j, int k, double metric)
+/* The cubes' offsets along an axis, nearest first, and how far at least a place in the middle cube is from each by the metric. */
+static const int cube_offsets[5] = {0, -1, 1, -2, 2};
+
+static void axis_gaps(double place, double metric, double gaps[5])
 {
-	Vec3 d = {i > 0 ? i - place.x : i < 0 ? place.x - i - 1 : 0, j > 0 ? j - place.y : j < 0 ? place.y - j - 1 : 0,
-	          k > 0 ? k - place.z : k < 0 ? place.z - k - 1 : 0};
-	return metric_distance(d, metric);
+	for (int n = 0; n < 5; n++) {
+		int i = cube_offsets[n];
+		gaps[n] = metric_power(i > 0 ? i - place : i < 0 ? place - i - 1 : 0, metric);
+	}
 }
 
-/* Cubes of the outer shell are searched on the faces only: 27 inner ones and 54 of the shell's 98, as POV-Ray does. */
-static bool cube_is_searched(int i, int j, int k)
+/* The row of five cubes along z, as far as they can hold a nearer point. In the shell round the inner 27 POV-Ray searches
+ * the faces only, not their edges. */
+static void search_row(Nearest *n, Vec3 p, Vec3 row, const double gaps[5], double gap, bool shell)
 {
-	return (abs(i) == 2) + (abs(j) == 2) + (abs(k) == 2) <= 1;
+	for (int k = 0; k < (shell ? 3 : 5); k++)
+		if (gap + gaps[k] < n->distance[n->wanted - 1])
+			nearest_add(n, p, vec3(row.x, row.y, row.z + cube_offsets[k]));
 }
 
-static Nearest nearest_find(Vec3 p, double metric)
+static Nearest nearest_find(Vec3 p, double metric, int wanted)
 {
-	Nearest n = {{HUGE_VAL, HUGE_VAL, HUGE_VAL}, p};
-	Vec3 middle = cube_of(p), place = vec3_sub(p, middle);
-	for (int i = -1; i <= 1; i++)
-		for (int j = -1; j <= 1; j++)
-			for (int k = -1; k <= 1; k++)
-				nearest_add(&n, p, vec3_add(middle, vec3(i, j, k)), metric);
-	for (int i = -2; i <= 2; i++)
-		for (int j = -2; j <= 2; j++)
-			for (int k = -2; k <= 2; k++) {
-				bool shell = abs(i) == 2 || abs(j) == 2 || abs(k) == 2;
-				if (shell && cube_is_searched(i, j, k) && cube_distance(place, i, j, k, metric) < n.distance[2])
-					nearest_add(&n, p, vec3_add(middle, vec3(i, j, k)), metric);
-			}
+	Nearest n = {{HUGE_VAL, HUGE_VAL, HUGE_VAL}, p, metric, wanted};
+	Vec3 middle = cube_of(p);
+	double x[5], y[5], z[5];
+	axis_gaps(p.x - middle.x, metric, x);
+	axis_gaps(p.y - middle.y, metric, y);
+	axis_gaps(p.z - middle.z, metric, z);
+	for (int i = 0; i < 5; i++)
+		for (int j = 0; j < 5; j++) {
+			bool shell = i > 2 || j > 2, edge = i > 2 && j > 2;
+			Vec3 row = {middle.x + cube_offsets[i], middle.y + cube_offsets[j], middle.z};
+			if (!edge && x[i] + y[j] < n.distance[wanted - 1])
+				search_row(&n, p, row, z, x[i] + y[j], shell);
+		}
 	return n;
 }
 
@@ -90,11 +96,11 @@ static double value_crackle(const Pattern *pattern, const SurfacePoint *at)
 {
 	static const CrackleData usual = {{-1, 1, 0}, 2, 0, false};
 	const CrackleData *crackle = pattern->data ? pattern->data : &usual;
-	Nearest n = nearest_find(at->p, crackle->metric);
+	Nearest n = nearest_find(at->p, crackle->metric, crackle->form.z != 0 ? 3 : 2);
 	if (crackle->solid)
 		return noise_value(n.point, pattern_generator(pattern));
-	double d[3], offset = metric_distance(vec3(crackle->offset, 0, 0), crackle->metric);
-	for (int i = 0; i < 3; i++)
+	double d[3] = {0, 0, 0}, offset = metric_distance(vec3(crackle->offset, 0, 0), crackle->metric);
+	for (int i = 0; i < n.wanted; i++)
 		d[i] = unpower(n.distance[i] + offset, crackle->metric);
 	double v = crackle->form.x * d[0] + crackle->form.y * d[1] + crackle->form.z * d[2];
 	return v < 0 ? 0 : v > 1 ? 1 : v;
@@ -116,10 +122,10 @@ static void bump_facets(const Pattern *pattern, const SurfacePoint *at, double a
 	const FacetsData *facets = pattern->data ? pattern->data : &usual;
 	(void)amount;
 	if (facets->coords == 0) {
-		*normal = vec3_normalize(nearest_find(vec3_scale(*normal, 1 / facets->size), 2).point);
+		*normal = vec3_normalize(nearest_find(vec3_scale(*normal, 1 / facets->size), 2, 1).point);
 		return;
 	}
-	Vec3 cell = nearest_find(vec3_scale(at->p, 1 / facets->size), 2).point;
+	Vec3 cell = nearest_find(vec3_scale(at->p, 1 / facets->size), 2, 1).point;
 	Vec3 tilt = noise_vector(cell, pattern_generator(pattern));
 	tilt = vec3_mad(tilt, -vec3_dot(tilt, *normal), *normal);
 	*normal = vec3_mad(*normal, facets->coords, tilt);
