@@ -119,12 +119,19 @@ Emission emission_sample(const Light *light, const EmissionAim *aim, const doubl
 	return sample_cap(&region, disc);
 }
 
-Rgb emission_flux(const Light *light, const Emission *emission, Vec3 p, double share)
+Rgb emission_flux(const Light *light, const Emission *emission, Vec3 p, double share, double *distance)
 {
 	Vec3 direction;
-	double distance, area = share * emission->measure;
-	Rgb arrival = light_arrival(light, is_collimated(light) ? light->position : emission->origin, p, &direction, &distance);
+	double area = share * emission->measure;
+	Rgb arrival = light_arrival(light, is_collimated(light) ? light->position : emission->origin, p, &direction, distance);
 	if (!is_collimated(light))
-		area *= distance * distance;
+		area *= *distance * *distance;
 	return rgb_scale(arrival, (float)area);
+}
+
+double emission_growth(const Light *light, double distance, double farther)
+{
+	double fading = light_fade(light, farther) / light_fade(light, distance);
+	double spread = farther / distance;
+	return is_collimated(light) ? fading : fading * spread * spread;
 }

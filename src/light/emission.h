@@ -9,8 +9,10 @@
  *                                  structure is made by the direction; the point only blurs it, by the light's size over
  *                                  its distance. What is left of the point acts as noise on the neighbourhoods
  *
- * Emission is aimed at a ball around a target. Brightness follows POV-Ray: a light without fading is as bright at any distance,
- * so a path's flux is settled at its first hit (emission_flux).
+ * Emission is aimed at a ball around a target. Brightness follows POV-Ray: where a photon lands counts for how far its light
+ * has come in all, along the bent path, so that a clear pane or a flat mirror changes no light, fading or not, by its
+ * place. emission_flux gives what falls on the target, emission_growth what becomes of it farther on. For lights that fade
+ * with the square of the distance, as real ones do, that is no change.
  */
 #ifndef LIGHT_EMISSION_H
 #define LIGHT_EMISSION_H
@@ -49,7 +51,10 @@ int emission_dimensions(const Light *light);
 /* A sample, uniform over the region, from four numbers in [0, 1); the last two choose the point of an area light. */
 Emission emission_sample(const Light *light, const EmissionAim *aim, const double s[4]);
 
-/* The flux of a path that stands for `share` of its region (1/number of paths), when it first lands at p. */
-Rgb emission_flux(const Light *light, const Emission *emission, Vec3 p, double share);
+/* The flux of a path that stands for `share` of its region (1/number of paths), when it first lands at p; *distance: from the
+ * light, or from a collimated light's plane. */
+Rgb emission_flux(const Light *light, const Emission *emission, Vec3 p, double share, double *distance);
+/* What the flux at one distance is multiplied with at another, farther along the path. */
+double emission_growth(const Light *light, double distance, double farther);
 
 #endif

@@ -48,7 +48,7 @@ static double cylinder_share(const Light *light, Vec3 from, Vec3 axis, Vec3 p)
 	return share * smooth_step(0, 1 - light->radius / light->falloff, inward);
 }
 
-static double fade_share(const Light *light, double distance)
+double light_fade(const Light *light, double distance)
 {
 	if (light->fade_power <= 0 || light->fade_distance <= 0)
 		return 1;
@@ -63,7 +63,7 @@ Rgb light_arrival(const Light *light, Vec3 from, Vec3 p, Vec3 *direction, double
 	bool parallel = light->parallel || light->kind == LIGHT_CYLINDER;
 	*direction = parallel ? vec3_neg(axis) : vec3_scale(offset, length > 0 ? 1 / length : 0);
 	*distance = parallel ? fabs(vec3_dot(offset, axis)) : length;
-	double share = fade_share(light, *distance);
+	double share = light_fade(light, *distance);
 	if (light->kind == LIGHT_SPOT)
 		share *= spot_share(light, axis, vec3_scale(offset, length > 0 ? 1 / length : 0));
 	else if (light->kind == LIGHT_CYLINDER)

@@ -3,8 +3,8 @@
 #include <math.h>
 
 #include "base/random.h"
-#include "geom/csg.h"
 #include "scene/accel.h"
+#include "scene/visit.h"
 
 /* ---- targets: the primitives of one object together ---- */
 
@@ -15,28 +15,11 @@ typedef struct Target {
 	const Surface *surface;
 } Target;
 
-/* The surfaces of a shape: of a primitive its owner's, of a CSG its children's. */
-static void visit_surfaces(const Shape *shape, void (*visit)(void *data, const Shape *shape), void *data)
+static void find_target(void *data, const Surface *surface)
 {
-	if (shape->owner) {
-		visit(data, shape);
-		return;
-	}
-	const Csg *csg = shape->data;
-	for (int i = 0; i < csg->count; i++)
-		visit_surfaces(csg->children[i], visit, data);
-}
-
-typedef struct FindTarget {
-	const Surface *surface;
-} FindTarget;
-
-static void find_target(void *data, const Shape *shape)
-{
-	FindTarget *find = data;
-	const Surface *surface = shape->owner;
+	const Surface **target = data;
 	if (surface->photons_target)
-		find->surface = surface;
+		*target = surface;
 }
 
 static void add_target(Target *targets, int *count, const Surface *surface, Box3 box)
@@ -53,10 +36,10 @@ static int find_targets(const Scene *scene, Target *targets)
 {
 	int count = 0;
 	for (int i = 0; i < scene->shape_count; i++) {
-		FindTarget find = {NULL};
-		visit_surfaces(scene->shapes[i], find_target, &find);
-		if (find.surface && shape_is_bounded(scene->shapes[i]))
-			add_target(targets, &count, find.surface, scene->shapes[i]->box);
+		const Surface *target = NULL;
+		shape_visit_surfaces(scene->shapes[i], find_target, &target);
+		if (target && shape_is_bounded(scene->shapes[i]))
+			add_target(targets, &count, target, scene->shapes[i]->box);
 	}
 	return count;
 }

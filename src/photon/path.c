@@ -1,11 +1,11 @@
 /*
- * A path starts with the flux that its first hit settles (light/emission.h). At each surface it leaves a photon if the surface
+ * A path starts with the flux that its first hit settles, and a photon has what that grows to (light/emission.h). At each surface it leaves a photon if the surface
  * collects and the path has been bent or reflected before; then one of the surface's mirrors and passages is chosen by its
  * weight and the path goes on. Flux is divided by the choice's probability, so that its expectation is right; under
  * adc_bailout of what it started with, a path survives by Russian roulette (Arvo & Kirk 1990).
  *
  * Energy: what a surface takes from a path counts as stored where a photon was left and as absorbed elsewhere; what leaves the scene
- * has escaped. The three add up to what was emitted onto targets.
+ * has escaped. The three, in the flux of the first hit, add up to what was emitted onto targets.
  */
 #include "photon/path.h"
 
@@ -30,6 +30,7 @@ typedef struct Path {
 	Rgb flux;
 	float start;         /* grey flux at the first hit */
 	double length;       /* so far */
+	double first_length, first_distance; /* at the first hit: of the path, and from the light */
 	double hue, hue_choice; /* hue: 0.5 for white light */
 	bool colored;
 	int edges, level;
@@ -64,7 +65,8 @@ static void store(Path *path, const ShadePoint *point)
 		.length = (float)path->length, .light = (uint16_t)path->aim->light, .object = (uint16_t)point->surface->id,
 		.edges = (uint8_t)(path->edges < 255 ? path->edges : 255), .path = path->kind,
 	};
-	photon_set_flux(&photon, path->flux);
+	double farther = path->first_distance + path->length - path->first_length;
+	photon_set_flux(&photon, rgb_scale(path->flux, (float)emission_growth(path->light, path->first_distance, farther)));
 	photon_set_direction(&photon, vec3_neg(path->ray.direction));
 	photon_set_normal(&photon, normal);
 	push_photon(path->out, &photon);
@@ -185,7 +187,8 @@ static bool lands_on_target(Path *path, const ShadePoint *point, double share)
 {
 	if (point->surface->id != path->aim->target)
 		return false;
-	path->flux = emission_flux(path->light, &path->emission, point->at.world, share);
+	path->flux = emission_flux(path->light, &path->emission, point->at.world, share, &path->first_distance);
+	path->first_length = path->length;
 	path->start = rgb_gray(path->flux);
 	path->out->statistics.emitted_flux += path->start;
 	return path->start > 0;

@@ -18,7 +18,7 @@ typedef struct PhotonTraceOptions {
 
 typedef struct PhotonStatistics {
 	uint64_t paths, stored, absorbed, escaped, segments;
-	double emitted_flux, stored_flux, absorbed_flux, escaped_flux; /* sums of grey values: emitted = the rest */
+	double emitted_flux, stored_flux, absorbed_flux, escaped_flux; /* sums of grey values, as at the targets: emitted = the rest */
 	double seconds, cpu_seconds;
 } PhotonStatistics;
 
