@@ -8,7 +8,7 @@ void build_unsupported(Context *context, Unsupported feature, Location where)
 		[UNSUPPORTED_MEDIA] = "media",
 		[UNSUPPORTED_RADIOSITY] = "radiosity",
 		[UNSUPPORTED_SUBSURFACE] = "subsurface light",
-		[UNSUPPORTED_PHOTONS] = "photons",
+		[UNSUPPORTED_PHOTONS] = "photons in media",
 		[UNSUPPORTED_MESH_CAMERA] = "a mesh_camera",
 		[UNSUPPORTED_FOG_TURBULENCE] = "a fog's turbulence",
 	};

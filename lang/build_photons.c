@@ -234,7 +234,8 @@ void build_photons_global(Context *context, const Node *block, PhotonSettings *s
 	while (!cursor_at_end(&cursor))
 		if (!accept_global_number(&cursor, settings) && !accept_global_other(&cursor, settings))
 			cursor_unexpected(&cursor);
-	build_unsupported(context, UNSUPPORTED_PHOTONS, block->where);
+	if (settings->media_steps > 0)
+		build_unsupported(context, UNSUPPORTED_PHOTONS, block->where);
 }
 
 /* ---- objects and lights ---- */

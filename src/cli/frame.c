@@ -198,7 +198,16 @@ static Film *open_film(const FrameWork *work)
 			diag_note(work->job->diag, "going on with %s", work->path);
 		return film;
 	}
-	return film_create(options->width, options->height, output_layers(options));
+	return film_create(options->width, options->height,
+	                   output_layers(options, work->scene->settings.photons.on || options->load_photons_file));
+}
+
+static PassOptions pass_options(const Options *options)
+{
+	return (PassOptions){
+		.save_file = options->photons_file, .load_file = options->load_photons_file,
+		.estimator = options->estimator_said ? &options->estimator : NULL, .passes = options->passes,
+	};
 }
 
 static Status trace(FrameWork *work)
@@ -209,11 +218,13 @@ static Status trace(FrameWork *work)
 	work->film = open_film(work);
 	if (!work->film)
 		return STATUS_FAILED;
-	RenderStatus status =
-		render_image(work->scene, &options, work->film, &callbacks, &work->statistics.render);
+	PassOptions passes = pass_options(work->job->options);
+	PassJob job = {work->scene, &options, &passes, &callbacks, work->film, work->job->diag};
+	RenderStatus status = passes_render(&job, &work->statistics.passes);
 	work->statistics.trace_seconds = clock_wall() - start;
+	work->origin.passes = work->statistics.passes;
 	progress_clear(&work->line);
-	return status == RENDER_DONE ? finish(work) : stop(work);
+	return status == RENDER_DONE ? finish(work) : status == RENDER_STOPPED ? stop(work) : STATUS_FAILED;
 }
 
 /* Better told before hours of rendering than after. */

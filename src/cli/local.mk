@@ -1,5 +1,5 @@
 # The programs.
-COGNAC_ROOMS = libparser.a liblang.a librender.a libscene.a liblight.a libsurface.a libgeom.a
+COGNAC_ROOMS = libparser.a liblang.a librender.a libdensity.a libphoton.a libscene.a liblight.a libsurface.a libgeom.a
 COGNAC_LIBS = $(EMBREE_LIBS) $(FREETYPE_LIBS) $(IMAGE_LIBS)
 bin_PROGRAMS += cognac cognac-compare
 noinst_LIBRARIES += libcli.a

@@ -13,6 +13,7 @@
 #include "base/diag.h"
 #include "image/write.h"
 #include "parser/reader.h"
+#include "scene/photon_settings.h"
 
 /* When a shell command runs, in the order of their key names. */
 typedef enum ShellMoment {
@@ -68,6 +69,9 @@ typedef struct Options {
 
 	int threads;                /* 0: as many as the machine has */
 	uint64_t seed;
+	const char *photons_file, *load_photons_file; /* --photons, --load-photons; or NULL */
+	Estimator estimator; bool estimator_said;     /* --estimator */
+	int passes;                 /* --passes; 0: as the scene says */
 	const char *stats;          /* --stats: JSON to this file, or NULL */
 	double update;              /* --update: seconds between rewritings of the output file; 0: never */
 	bool allow_shell, allow_write;

@@ -83,9 +83,13 @@ static Image linear_image(const Film *film, const Settings *settings)
 	return image;
 }
 
-unsigned output_layers(const Options *options)
+unsigned output_layers(const Options *options, bool photons)
 {
-	return options->format == IMAGE_EXR ? (1u << FILM_LAYER_COUNT) - 1 : 1u << FILM_COLOR;
+	unsigned of_photons = 1u << FILM_DIRECT | 1u << FILM_CAUSTIC | 1u << FILM_PHOTON_COUNT |
+	                      1u << FILM_PHOTON_PARAMETER | 1u << FILM_PHOTON_EDGES;
+	if (options->format != IMAGE_EXR)
+		return 1u << FILM_COLOR;
+	return ((1u << FILM_LAYER_COUNT) - 1) & ~(photons ? 0 : of_photons);
 }
 
 /* Layers' channels are named for what they hold. */
@@ -133,9 +137,14 @@ static bool write_layers(const Options *options, const Film *film, const OutputO
 	}
 	const ExrAttribute attributes[] = {
 		{"scene", origin->scene}, {"seed", arena_printf(arena, "%llu", (unsigned long long)origin->seed)},
-		{"passes", "1"}, {"switches", origin->switches}, {"software", PACKAGE_STRING},
+		{"passes", arena_printf(arena, "%u", film_passes(film) ? film_passes(film) : 1)},
+		{"switches", origin->switches}, {"software", PACKAGE_STRING},
+		{"photons", arena_printf(arena, "%llu", (unsigned long long)origin->passes.photons.stored)},
+		{"radius", arena_printf(arena, "%.9g", origin->passes.radius)},
 	};
-	ExrImage image = {color.width, color.height, count, channels, sizeof attributes / sizeof *attributes, attributes};
+	int left_out = origin->passes.has_photons ? 0 : 2; /* the last, which are about photons */
+	int attribute_count = (int)(sizeof attributes / sizeof *attributes) - left_out;
+	ExrImage image = {color.width, color.height, count, channels, attribute_count, attributes};
 	bool good = exr_write(path, &image, diag);
 	free(color.pixels);
 	arena_destroy(arena);

@@ -3,7 +3,7 @@
 #define CLI_OUTPUT_H
 
 #include "cli/animation.h"
-#include "render/film.h"
+#include "render/passes.h"
 #include "scene/scene.h"
 
 /* The file of a frame: the scene's own name unless another was said, the frame's number, the format's extension. "-" stays
@@ -18,10 +18,11 @@ typedef struct OutputOrigin {
 	const char *scene, *switches;
 	uint64_t seed;
 	const Settings *settings; /* of the scene: its gamma */
+	PassStatistics passes;    /* zeros while the picture is unfinished */
 } OutputOrigin;
 
-/* Layers that the format can keep, for film_create. */
-unsigned output_layers(const Options *options);
+/* Layers that the format can keep, for film_create; those of photons only where there are any. */
+unsigned output_layers(const Options *options, bool photons);
 
 /* Beside, then renamed. False on failure, reported. */
 bool output_write(const Options *options, const Film *film, const OutputOrigin *origin, const char *path, Diag *diag);

@@ -9,7 +9,6 @@
 
 void statistics_add(FrameStatistics *sum, const FrameStatistics *frame)
 {
-	const RenderStatistics *r = &frame->render;
 	sum->frames += frame->frames;
 	sum->parse_seconds += frame->parse_seconds;
 	sum->build_seconds += frame->build_seconds;
@@ -18,16 +17,7 @@ void statistics_add(FrameStatistics *sum, const FrameStatistics *frame)
 	sum->cpu_seconds += frame->cpu_seconds;
 	sum->shapes = frame->shapes;
 	sum->lights = frame->lights;
-	sum->render.pixels += r->pixels;
-	sum->render.samples += r->samples;
-	sum->render.eye_rays += r->eye_rays;
-	sum->render.shadow_rays += r->shadow_rays;
-	sum->render.reflected_rays += r->reflected_rays;
-	sum->render.refracted_rays += r->refracted_rays;
-	sum->render.transmitted_rays += r->transmitted_rays;
-	sum->render.bailouts += r->bailouts;
-	if (r->deepest > sum->render.deepest)
-		sum->render.deepest = r->deepest;
+	pass_statistics_add(&sum->passes, &frame->passes);
 }
 
 static uint64_t all_rays(const RenderStatistics *r)
@@ -35,9 +25,23 @@ static uint64_t all_rays(const RenderStatistics *r)
 	return r->eye_rays + r->shadow_rays + r->reflected_rays + r->refracted_rays + r->transmitted_rays;
 }
 
+static void print_photons(FILE *out, const PassStatistics *s)
+{
+	const PhotonStatistics *p = &s->photons;
+	const struct { const char *name; uint64_t value; } rows[] = {
+		{"passes", s->passes}, {"photon paths", p->paths}, {"photons stored", p->stored},
+		{"paths absorbed", p->absorbed}, {"paths escaped", p->escaped},
+	};
+	for (size_t i = 0; i < sizeof rows / sizeof *rows; i++)
+		fprintf(out, "%-18s%14" PRIu64 "\n", rows[i].name, rows[i].value);
+	fprintf(out, "%-18s%14.3f s\n", "photons", p->seconds);
+	fprintf(out, "%-18s%14.6g in = %.6g stored + %.6g absorbed + %.6g escaped\n", "flux", p->emitted_flux, p->stored_flux,
+	        p->absorbed_flux, p->escaped_flux);
+}
+
 void statistics_print(FILE *out, const FrameStatistics *s)
 {
-	const RenderStatistics *r = &s->render;
+	const RenderStatistics *r = &s->passes.render;
 	const struct { const char *name; uint64_t value; } rows[] = {
 		{"pixels", r->pixels}, {"samples", r->samples}, {"eye rays", r->eye_rays},
 		{"shadow rays", r->shadow_rays}, {"reflected rays", r->reflected_rays},
@@ -47,6 +51,8 @@ void statistics_print(FILE *out, const FrameStatistics *s)
 		fprintf(out, "%-18s%14d\n", "frames", s->frames);
 	for (size_t i = 0; i < sizeof rows / sizeof *rows; i++)
 		fprintf(out, "%-18s%14" PRIu64 "\n", rows[i].name, rows[i].value);
+	if (s->passes.has_photons)
+		print_photons(out, &s->passes);
 	fprintf(out, "%-18s%14.3f s\n", "parse", s->parse_seconds);
 	fprintf(out, "%-18s%14.3f s\n", "build", s->build_seconds);
 	fprintf(out, "%-18s%14.3f s\n", "trace", s->trace_seconds);
@@ -76,6 +82,19 @@ static void write_rays(FILE *out, const RenderStatistics *r)
 	        all_rays(r), r->eye_rays, r->shadow_rays, r->reflected_rays, r->refracted_rays, r->transmitted_rays);
 }
 
+static void write_photons(FILE *out, const PassStatistics *s)
+{
+	const PhotonStatistics *p = &s->photons;
+	fprintf(out,
+	        "  \"photons\": {\"passes\": %" PRIu32 ", \"paths\": %" PRIu64 ", \"stored\": %" PRIu64 ", \"absorbed\": %" PRIu64
+	        ", \"escaped\": %" PRIu64 ", \"segments\": %" PRIu64 ",\n",
+	        s->passes, p->paths, p->stored, p->absorbed, p->escaped, p->segments);
+	fprintf(out, "    \"seconds\": %.6f, \"processor\": %.6f, \"first_radius\": %.9g, \"radius\": %.9g,\n", p->seconds,
+	        p->cpu_seconds, s->first_radius, s->radius);
+	fprintf(out, "    \"flux\": {\"emitted\": %.9g, \"stored\": %.9g, \"absorbed\": %.9g, \"escaped\": %.9g}},\n",
+	        p->emitted_flux, p->stored_flux, p->absorbed_flux, p->escaped_flux);
+}
+
 bool statistics_write_json(const FrameStatistics *s, const char *scene, const char *status, const char *path,
                            Diag *diag)
 {
@@ -89,10 +108,12 @@ bool statistics_write_json(const FrameStatistics *s, const char *scene, const ch
 	fprintf(file.stream, "  \"seconds\": {\"parse\": %.6f, \"build\": %.6f, \"trace\": %.6f, \"write\": %.6f, "
 	        "\"processor\": %.6f},\n", s->parse_seconds, s->build_seconds, s->trace_seconds, s->write_seconds,
 	        s->cpu_seconds);
-	fprintf(file.stream, "  \"pixels\": %" PRIu64 ",\n  \"samples\": %" PRIu64 ",\n", s->render.pixels,
-	        s->render.samples);
-	write_rays(file.stream, &s->render);
-	fprintf(file.stream, "  \"deepest\": %d,\n  \"shapes\": %ld,\n  \"lights\": %ld,\n", s->render.deepest, s->shapes,
+	fprintf(file.stream, "  \"pixels\": %" PRIu64 ",\n  \"samples\": %" PRIu64 ",\n", s->passes.render.pixels,
+	        s->passes.render.samples);
+	write_rays(file.stream, &s->passes.render);
+	if (s->passes.has_photons)
+		write_photons(file.stream, &s->passes);
+	fprintf(file.stream, "  \"deepest\": %d,\n  \"shapes\": %ld,\n  \"lights\": %ld,\n", s->passes.render.deepest, s->shapes,
 	        s->lights);
 	fprintf(file.stream, "  \"peak_memory\": %zu\n}\n", clock_peak_memory());
 	return output_file_commit(&file, diag);

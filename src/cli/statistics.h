@@ -4,13 +4,13 @@
 
 #include <stdio.h>
 
-#include "render/render.h"
+#include "render/passes.h"
 
 typedef struct FrameStatistics {
 	int frames;
 	double parse_seconds, build_seconds, trace_seconds, write_seconds, cpu_seconds;
 	long shapes, lights;
-	RenderStatistics render;
+	PassStatistics passes;
 } FrameStatistics;
 
 void statistics_add(FrameStatistics *sum, const FrameStatistics *frame);

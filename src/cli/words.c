@@ -32,6 +32,40 @@ static bool set_stats(Options *options, const char *value, Diag *diag)
 	return true;
 }
 
+static bool set_photons(Options *options, const char *value, Diag *diag)
+{
+	(void)diag;
+	options->photons_file = value;
+	return true;
+}
+
+static bool set_load_photons(Options *options, const char *value, Diag *diag)
+{
+	(void)diag;
+	options->load_photons_file = value;
+	return true;
+}
+
+static bool set_estimator(Options *options, const char *value, Diag *diag)
+{
+	options->estimator_said = true;
+	if (photon_estimator_named(value, &options->estimator))
+		return true;
+	diag_fail(diag, "--estimator: %s is no estimator (povray, nearest, diffusion, footprint, deep or adaptive)", value);
+	return false;
+}
+
+static bool set_passes(Options *options, const char *value, Diag *diag)
+{
+	char *end;
+	long passes = strtol(value, &end, 10);
+	options->passes = (int)passes;
+	if (*value && !*end && passes > 0 && passes <= 1000000000)
+		return true;
+	diag_fail(diag, "--passes wants a whole number above 0, not %s", value);
+	return false;
+}
+
 static bool set_update(Options *options, const char *value, Diag *diag)
 {
 	char *end;
@@ -80,10 +114,14 @@ static const LongOption long_options[] = {
 	{"allow-shell", NULL, set_allow_shell, false},
 	{"allow-write", NULL, set_allow_write, false},
 	{"declare", "Declare", NULL, true},
+	{"estimator", NULL, set_estimator, true},
 	{"height", "Height", NULL, true},
 	{"help", NULL, set_help, false},
 	{"library-path", "Library_Path", NULL, true},
+	{"load-photons", NULL, set_load_photons, true},
 	{"output", "Output_File_Name", NULL, true},
+	{"passes", NULL, set_passes, true},
+	{"photons", NULL, set_photons, true},
 	{"quality", "Quality", NULL, true},
 	{"quiet", NULL, set_quiet, false},
 	{"seed", NULL, set_seed, true},

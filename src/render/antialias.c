@@ -56,8 +56,8 @@ void antialias_grid(const AntialiasPixel *pixel, const FilmPixel *first, FilmPix
 {
 	const RenderOptions *options = pixel->options;
 	int depth = options->depth;
-	double sum[4];
-	for (int k = 0; k < 4; k++)
+	double sum[FILM_LIGHT_CHANNELS];
+	for (int k = 0; k < FILM_LIGHT_CHANNELS; k++)
 		sum[k] = first->v[k]; /* counts like the others */
 	SamplePlace corner = pixel_place(pixel);
 	for (int i = 0; i < depth * depth; i++) {
@@ -67,13 +67,12 @@ void antialias_grid(const AntialiasPixel *pixel, const FilmPixel *first, FilmPix
 		place.y += (i / depth + 0.5 + jitter(options, place.number, 1)) / depth;
 		FilmPixel one;
 		sample_image(pixel->tracer, &place, &one);
-		for (int k = 0; k < 4; k++)
+		for (int k = 0; k < FILM_LIGHT_CHANNELS; k++)
 			sum[k] += one.v[k];
 	}
 	*out = *first;
-	for (int k = 0; k < 4; k++)
+	for (int k = 0; k < FILM_LIGHT_CHANNELS; k++)
 		out->v[k] = (float)(sum[k] / (depth * depth + 1));
-	memcpy(out->v + film_layer_offset(FILM_DIRECT), out->v, 3 * sizeof(float));
 }
 
 /* ---- method 2 ---- */
@@ -164,7 +163,7 @@ typedef struct Square {
 	int column, row, size; /* in cells of the grid */
 } Square;
 
-static void square_color(const AntialiasPixel *pixel, CornerGrid *grid, Square square, double out[4])
+static void square_color(const AntialiasPixel *pixel, CornerGrid *grid, Square square, double out[FILM_LIGHT_CHANNELS])
 {
 	const FilmPixel *corner[4];
 	for (int i = 0; i < 4; i++)
@@ -174,26 +173,25 @@ static void square_color(const AntialiasPixel *pixel, CornerGrid *grid, Square s
 		antialias_differ(pixel->options, corner[1], corner[3]) ||
 		antialias_differ(pixel->options, corner[3], corner[2]) ||
 		antialias_differ(pixel->options, corner[2], corner[0]);
-	for (int k = 0; k < 4; k++)
+	for (int k = 0; k < FILM_LIGHT_CHANNELS; k++)
 		out[k] = 0;
 	for (int i = 0; i < 4; i++) {
-		double part[4];
+		double part[FILM_LIGHT_CHANNELS];
 		int half = square.size / 2;
 		if (half && differ)
 			square_color(pixel, grid, (Square){square.column + (i & 1) * half, square.row + (i >> 1) * half, half},
 			             part);
-		for (int k = 0; k < 4; k++)
+		for (int k = 0; k < FILM_LIGHT_CHANNELS; k++)
 			out[k] += (half && differ ? part[k] : corner[i]->v[k]) / 4;
 	}
 }
 
 void antialias_recursive(const AntialiasPixel *pixel, CornerGrid *grid, FilmPixel *out)
 {
-	double color[4];
+	double color[FILM_LIGHT_CHANNELS];
 	grid->pixel.stamp++;
 	square_color(pixel, grid, (Square){0, 0, grid->pixel.side - 1}, color);
 	*out = *corner_sample(pixel, grid, 0, 0);
-	for (int k = 0; k < 4; k++)
+	for (int k = 0; k < FILM_LIGHT_CHANNELS; k++)
 		out->v[k] = (float)color[k];
-	memcpy(out->v + film_layer_offset(FILM_DIRECT), out->v, 3 * sizeof(float));
 }

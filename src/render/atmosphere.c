@@ -61,9 +61,10 @@ Seen atmosphere_sky(const Tracer *tracer, Vec3 direction)
 	if (scene->sky_sphere)
 		sum = sky_layers(scene->sky_sphere, direction, tracer->legacy, &through);
 	if (!tracer->alpha)
-		return (Seen){rgb_add(sum, rgb_mul(through, rgbft_rgb(scene->background))), 0};
+		return (Seen){.color = rgb_add(sum, rgb_mul(through, rgbft_rgb(scene->background)))};
 	Rgb own = rgb_scale(rgbft_rgb(scene->background), rgbft_opacity(scene->background));
-	return (Seen){rgb_add(sum, rgb_mul(through, own)), mean(rgb_mul(through, rgbft_transmittance(scene->background)))};
+	return (Seen){.color = rgb_add(sum, rgb_mul(through, own)),
+	              .transmit = mean(rgb_mul(through, rgbft_transmittance(scene->background)))};
 }
 
 /* ---- fog ---- */
@@ -143,6 +144,7 @@ static Seen rainbow_apply(Tracer *tracer, const Rainbow *rainbow, const Ray *ray
 	float left = (float)fmin(fmax(near, 1 - share + share * color.transmit), 1);
 	Rgb tint = rgb_lerp(rgb_all(1), rgbft_rgb(color), color.filter * (float)share);
 	seen.color = rgb_mad(rgb_scale(rgb_mul(seen.color, tint), left), 1 - left, rgbft_rgb(color));
+	seen.caustic = rgb_scale(rgb_mul(seen.caustic, tint), left);
 	seen.transmit *= left * mean(tint);
 	return seen;
 }
@@ -156,5 +158,8 @@ Seen atmosphere_apply(Tracer *tracer, const Ray *ray, double distance, Seen seen
 	FogSum sum = {{1, 1, 1}, {0, 0, 0}};
 	for (int i = 0; i < scene->fog_count; i++)
 		add_fog(scene->fogs[i], ray, length, &sum);
-	return (Seen){rgb_add(rgb_mul(seen.color, sum.left), sum.light), seen.transmit * mean(sum.left)};
+	return (Seen){
+		.color = rgb_add(rgb_mul(seen.color, sum.left), sum.light), .caustic = rgb_mul(seen.caustic, sum.left),
+		.transmit = seen.transmit * mean(sum.left),
+	};
 }

@@ -11,6 +11,7 @@ typedef enum PixelState { PIXEL_EMPTY, PIXEL_STARTED, PIXEL_FINAL } PixelState;
 struct Film {
 	int width, height;
 	unsigned layers;
+	uint32_t passes;                 /* that were averaged */
 	float *planes[FILM_LAYER_COUNT]; /* NULL for absent layers */
 	unsigned char *state;            /* PixelState of each pixel */
 	pthread_mutex_t lock;
@@ -24,6 +25,8 @@ typedef struct LayerInfo {
 static const LayerInfo layer_info[FILM_LAYER_COUNT] = {
 	[FILM_COLOR] = {"RGBA", 4, 0}, [FILM_DIRECT] = {"direct", 3, 4}, [FILM_CAUSTIC] = {"caustic", 3, 7},
 	[FILM_ALBEDO] = {"albedo", 3, 10}, [FILM_NORMAL] = {"N", 3, 13}, [FILM_DEPTH] = {"Z", 1, 16},
+	[FILM_PHOTON_COUNT] = {"photons.count", 1, 17}, [FILM_PHOTON_PARAMETER] = {"photons.parameter", 3, 18},
+	[FILM_PHOTON_EDGES] = {"photons.edges", 1, 21},
 };
 
 static size_t pixel_count(const Film *film)
@@ -52,6 +55,11 @@ Film *film_create(int width, int height, unsigned layers)
 	return film;
 }
 
+Film *film_create_like(const Film *film)
+{
+	return film_create(film->width, film->height, film->layers);
+}
+
 void film_destroy(Film *film)
 {
 	if (!film)
@@ -77,6 +85,7 @@ Film *film_snapshot(const Film *film)
 		if (film->planes[i])
 			memcpy(copy->planes[i], film->planes[i], plane_bytes(film, i));
 	memcpy(copy->state, film->state, pixel_count(film));
+	copy->passes = film->passes;
 	pthread_mutex_unlock(film_lock(film));
 	return copy;
 }
@@ -160,6 +169,27 @@ bool film_is_started(const Film *film, int x, int y)
 	return film->state[(size_t)y * (size_t)film->width + (size_t)x] != PIXEL_EMPTY;
 }
 
+uint32_t film_passes(const Film *film)
+{
+	return film->passes;
+}
+
+void film_average(Film *film, const Film *pass)
+{
+	pthread_mutex_lock(&film->lock);
+	float share = 1 / (float)++film->passes;
+	for (int i = 0; i < FILM_LAYER_COUNT; i++) {
+		bool kept = i == FILM_DEPTH && film->passes > 1; /* infinite depths have no mean: the first pass' stay */
+		size_t count = film->planes[i] && !kept ? plane_bytes(film, i) / sizeof(float) : 0;
+		float *mean = film->planes[i];
+		const float *add = pass->planes[i];
+		for (size_t k = 0; k < count; k++)
+			mean[k] = share == 1 ? add[k] : mean[k] + (add[k] - mean[k]) * share;
+	}
+	memcpy(film->state, pass->state, pixel_count(film));
+	pthread_mutex_unlock(&film->lock);
+}
+
 /* ---- saving ---- */
 
 /* The file: this header, then the states, then each layer's floats, in the machine's own order. */
@@ -167,17 +197,17 @@ typedef struct StateHeader {
 	char magic[16];
 	uint64_t key;
 	int32_t width, height;
-	uint32_t layers, byte_order;
+	uint32_t layers, byte_order, passes, reserved;
 } StateHeader;
 
-static const char state_magic[16] = "cognac film 1\n";
+static const char state_magic[16] = "cognac film 2\n";
 enum { STATE_BYTE_ORDER = 0x01020304 };
 
 static bool write_state(const Film *film, uint64_t key, FILE *file)
 {
 	StateHeader header = {
 		.key = key, .width = film->width, .height = film->height, .layers = film->layers,
-		.byte_order = STATE_BYTE_ORDER,
+		.byte_order = STATE_BYTE_ORDER, .passes = film->passes,
 	};
 	memcpy(header.magic, state_magic, sizeof header.magic);
 	bool good = fwrite(&header, sizeof header, 1, file) == 1 &&
@@ -241,6 +271,7 @@ Film *film_load(const char *path, uint64_t key, Diag *diag)
 		diag_fail(diag, "'%s' is the state of another render: scene, size or switches differ", path);
 	} else {
 		film = film_create(header.width, header.height, header.layers);
+		film->passes = header.passes;
 		if (!read_planes(film, file)) {
 			diag_fail(diag, "'%s' is cut short", path);
 			film_destroy(film);

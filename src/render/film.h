@@ -18,10 +18,16 @@ typedef enum FilmLayer {
 	FILM_ALBEDO,  /* "albedo", 3: the pigment the eye ray met */
 	FILM_NORMAL,  /* "N", 3: world space, towards the eye; 0 where nothing was met */
 	FILM_DEPTH,   /* "Z", 1: distance from the camera in scene units; infinite where nothing was met */
+	FILM_PHOTON_COUNT,     /* "photons.count", 1: photons gathered where the eye ray first met something */
+	FILM_PHOTON_PARAMETER, /* "photons.parameter", 3: their mean emitter coordinates as a colour */
+	FILM_PHOTON_EDGES,     /* "photons.edges", 1: their mean number of path edges */
 	FILM_LAYER_COUNT
 } FilmLayer;
 
-enum { FILM_CHANNELS = 17 }; /* of all layers together */
+enum {
+	FILM_CHANNELS = 22,     /* of all layers together */
+	FILM_LIGHT_CHANNELS = 10 /* of the layers that come first and hold light; samples of a pixel are averaged in these */
+};
 
 /* What a pixel holds, all layers side by side; film_layer_offset says where a layer starts. */
 typedef struct FilmPixel {
@@ -37,6 +43,7 @@ typedef struct Film Film;
 
 /* layers: a sum of (1u << FILM_...); FILM_COLOR is always there. All zero, nothing done. */
 Film *film_create(int width, int height, unsigned layers);
+Film *film_create_like(const Film *film); /* of the same size and layers, all zero */
 void film_destroy(Film *film); /* NULL is allowed */
 Film *film_snapshot(const Film *film); /* a copy; the caller destroys it */
 
@@ -54,6 +61,10 @@ void film_commit(Film *film, FilmRect rect, const FilmPixel *pixels, bool final)
 void film_read(const Film *film, int x, int y, FilmPixel *out);
 bool film_is_final(const Film *film, int x, int y);
 bool film_is_started(const Film *film, int x, int y); /* holds some value, final or not */
+
+/* Takes another film, of the same size and layers, into the mean of those taken before; its pixels count as final. */
+void film_average(Film *film, const Film *pass);
+uint32_t film_passes(const Film *film); /* how many were taken */
 
 /*
  * The state of an unfinished render, exact, to go on with later. key is the caller's hash of what must be equal (scene,

@@ -235,8 +235,9 @@ static bool run_passes(Render *render)
 	return run_pass(render, &only, true);
 }
 
-static void add_statistics(RenderStatistics *sum, const RenderStatistics *part)
+void render_statistics_add(RenderStatistics *sum, const RenderStatistics *part)
 {
+	sum->pixels += part->pixels;
 	sum->samples += part->samples;
 	sum->eye_rays += part->eye_rays;
 	sum->shadow_rays += part->shadow_rays;
@@ -264,7 +265,7 @@ static void create_workers(Render *render, const Scene *scene)
 static void destroy_workers(Render *render, RenderStatistics *statistics)
 {
 	for (int i = 0; i < render->worker_count; i++) {
-		add_statistics(statistics, &render->workers[i].tracer.statistics);
+		render_statistics_add(statistics, &render->workers[i].tracer.statistics);
 		tracer_free(&render->workers[i].tracer);
 		corner_grid_destroy(render->workers[i].corners);
 	}
@@ -295,7 +296,8 @@ RenderStatus render_image(const Scene *scene, const RenderOptions *options, Film
 	Render render = {
 		.options = options, .callbacks = callbacks, .film = film, .region = clip_region(options->region, film),
 		.start = clock_wall(), .reporting = ATOMIC_FLAG_INIT,
-		.first_hit = film_has(film, FILM_ALBEDO) || film_has(film, FILM_NORMAL) || film_has(film, FILM_DEPTH),
+		.first_hit = film_has(film, FILM_ALBEDO) || film_has(film, FILM_NORMAL) || film_has(film, FILM_DEPTH) ||
+		             film_has(film, FILM_PHOTON_COUNT),
 	};
 	RenderStatistics sum = {0};
 	if (options->antialias && options->sampling_method == 1)

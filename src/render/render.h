@@ -11,6 +11,8 @@
 #include "render/film.h"
 #include "scene/scene.h"
 
+typedef struct Caustics Caustics; /* render/caustics.h */
+
 typedef struct RenderOptions {
 	FilmRect region;     /* what to render: +SC +SR +EC +ER; empty: all of the film */
 	int quality;         /* +Q: 0..11 */
@@ -22,6 +24,7 @@ typedef struct RenderOptions {
 	double gamma;        /* +AG */
 	bool alpha;          /* +UA: keep what is seen of the background transparent */
 	uint64_t seed;
+	const Caustics *caustics; /* what photons brought; NULL: none */
 	double progress_interval; /* seconds between calls of progress; 0: after every tile */
 } RenderOptions;
 
@@ -51,7 +54,9 @@ typedef struct RenderStatistics {
 	double seconds, cpu_seconds;
 } RenderStatistics;
 
-typedef enum RenderStatus { RENDER_DONE, RENDER_STOPPED } RenderStatus;
+typedef enum RenderStatus { RENDER_DONE, RENDER_STOPPED, RENDER_FAILED } RenderStatus;
+
+void render_statistics_add(RenderStatistics *sum, const RenderStatistics *part);
 
 /* Fills the film; pixels that are final already (a resumed render) stay. callbacks and statistics may be NULL. */
 RenderStatus render_image(const Scene *scene, const RenderOptions *options, Film *film,

@@ -43,20 +43,29 @@ static void bundle_add(Bundle *bundle, const float color[4])
 	bundle->count++;
 }
 
-static void set_color(Tracer *tracer, Seen seen, float out[4])
+static void set_rgb(float *out, Rgb color)
 {
-	out[0] = seen.color.r;
-	out[1] = seen.color.g;
-	out[2] = seen.color.b;
+	out[0] = color.r;
+	out[1] = color.g;
+	out[2] = color.b;
+}
+
+/* out: a whole pixel's channels */
+static void set_color(Tracer *tracer, Seen seen, float *out)
+{
+	set_rgb(out + film_layer_offset(FILM_CAUSTIC), seen.caustic);
+	set_rgb(out + film_layer_offset(FILM_DIRECT), rgb_sub(seen.color, seen.caustic));
+	set_rgb(out, seen.color);
 	out[3] = tracer->alpha ? 1 - seen.transmit : 1;
 }
 
 static void set_first(const FirstHit *first, FilmPixel *out)
 {
-	float *albedo = out->v + film_layer_offset(FILM_ALBEDO), *normal = out->v + film_layer_offset(FILM_NORMAL);
-	albedo[0] = first->albedo.r;
-	albedo[1] = first->albedo.g;
-	albedo[2] = first->albedo.b;
+	float *normal = out->v + film_layer_offset(FILM_NORMAL);
+	set_rgb(out->v + film_layer_offset(FILM_ALBEDO), first->albedo);
+	set_rgb(out->v + film_layer_offset(FILM_PHOTON_PARAMETER), first->parameter);
+	out->v[film_layer_offset(FILM_PHOTON_COUNT)] = first->photons;
+	out->v[film_layer_offset(FILM_PHOTON_EDGES)] = first->edges;
 	normal[0] = (float)first->normal.x;
 	normal[1] = (float)first->normal.y;
 	normal[2] = (float)first->normal.z;
@@ -86,7 +95,7 @@ static void blurred_sample(Tracer *tracer, const SamplePlace *place, FilmPixel *
 {
 	const Camera *camera = &tracer->scene->camera;
 	double shift_u = sampler_next(&tracer->sampler), shift_v = sampler_next(&tracer->sampler);
-	double sum[4] = {0};
+	double sum[FILM_LIGHT_CHANNELS] = {0};
 	Bundle bundle = {.count = 0};
 	int least = camera->blur_samples_min > 4 ? camera->blur_samples_min : 4;
 	for (int i = 0; i < camera->blur_samples; i++) {
@@ -96,12 +105,12 @@ static void blurred_sample(Tracer *tracer, const SamplePlace *place, FilmPixel *
 		if (i == 0)
 			*out = one;
 		bundle_add(&bundle, one.v);
-		for (int k = 0; k < 4; k++)
+		for (int k = 0; k < FILM_LIGHT_CHANNELS; k++)
 			sum[k] += one.v[k];
 		if (bundle.count >= least && bundle_is_sure(&bundle, camera))
 			break;
 	}
-	for (int k = 0; k < 4; k++)
+	for (int k = 0; k < FILM_LIGHT_CHANNELS; k++)
 		out->v[k] = (float)(sum[k] / bundle.count);
 }
 
@@ -115,7 +124,4 @@ void sample_image(Tracer *tracer, const SamplePlace *place, FilmPixel *out)
 		blurred_sample(tracer, place, out);
 	else
 		eye_sample(tracer, place, (Vec2){0.5, 0.5}, out);
-	float *direct = out->v + film_layer_offset(FILM_DIRECT);
-	for (int k = 0; k < 3; k++)
-		direct[k] = out->v[k];
 }

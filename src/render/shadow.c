@@ -2,7 +2,7 @@
  * Shadow rays. An opaque surface ends the question; surfaces that let light through are collected, put in order, and tint what
  * passes: by their textures, by POV-Ray's fake caustics, and by the attenuation of what lies between them.
  */
-#include "render/lighting.h"
+#include "render/caustics.h"
 #include "scene/shade.h"
 
 enum { SHADOW_MAX_HITS = 128 }; /* more transparent surfaces in one ray count as opaque */
@@ -11,6 +11,8 @@ static const float SHADOW_BLACK = 1e-4f;    /* less light than this is none */
 static const double CAUSTICS_EXPONENT = 45; /* of the cosine, for caustics 1; measured from POV-Ray's images */
 
 typedef struct ShadowSearch {
+	const Caustics *caustics;
+	const Light *light;
 	const Shape *blocker;
 	int count;
 	Hit hits[SHADOW_MAX_HITS];
@@ -23,7 +25,8 @@ static bool visit_shadow(void *data, const Ray *ray, const Hit *hit)
 	(void)ray;
 	if (surface->no_shadow)
 		return false;
-	if (!surface->opaque && search->count < SHADOW_MAX_HITS) {
+	bool photons = caustics_replace_shadow(search->caustics, search->light, surface);
+	if (!surface->opaque && !photons && search->count < SHADOW_MAX_HITS) {
 		search->hits[search->count++] = *hit;
 		return false;
 	}
@@ -110,6 +113,8 @@ Rgb shadow_visibility(Tracer *tracer, const LitPoint *at, int light, Vec3 direct
 	if (same_blocker(tracer, &ray, light))
 		return rgb_all(0);
 	ShadowSearch search;
+	search.caustics = tracer->caustics;
+	search.light = &tracer->scene->lights[light];
 	search.blocker = NULL;
 	search.count = 0;
 	if (accel_any(tracer->scene->accel, &ray, visit_shadow, &search)) {

@@ -9,22 +9,34 @@
 #include <string.h>
 
 #include "render/atmosphere.h"
+#include "render/caustics.h"
 #include "render/lighting.h"
 #include "scene/shade.h"
 
 enum { TRACE_MAX_DEPTH = 250 }; /* recursion limit for surfaces in a row that let a ray straight through */
 
-static const Seen SEEN_NOTHING = {{0, 0, 0}, 0};
+static const Seen SEEN_NOTHING = {.transmit = 0};
 
 static void seen_add(Seen *sum, Seen part, Rgb weight)
 {
 	sum->color = rgb_add(sum->color, rgb_mul(part.color, weight));
+	sum->caustic = rgb_add(sum->caustic, rgb_mul(part.caustic, weight));
 	sum->transmit += part.transmit * (weight.r + weight.g + weight.b) / 3;
 }
 
 static float seen_power(float value, float exponent)
 {
 	return value > 0 ? powf(value, 1 / exponent) : 0;
+}
+
+/* A reflection's exponent. The caustic's share of the light stays what it was. */
+static void seen_raise(Seen *seen, float exponent)
+{
+	Rgb before = seen->color;
+	seen->color = rgb(seen_power(before.r, exponent), seen_power(before.g, exponent), seen_power(before.b, exponent));
+	seen->caustic = rgb(before.r > 0 ? seen->caustic.r * seen->color.r / before.r : 0,
+	                    before.g > 0 ? seen->caustic.g * seen->color.g / before.g : 0,
+	                    before.b > 0 ? seen->caustic.b * seen->color.b / before.b : 0);
 }
 
 /* ---- where a ray goes on ---- */
@@ -72,14 +84,19 @@ static void follow_event(Tracer *tracer, const PathRay *path, const ShadePoint *
 	count_event(&tracer->statistics, event, next.level);
 	Seen seen = trace_ray(tracer, &next, NULL);
 	if (event->exponent != 1)
-		seen.color = rgb(seen_power(seen.color.r, event->exponent), seen_power(seen.color.g, event->exponent),
-		                 seen_power(seen.color.b, event->exponent));
+		seen_raise(&seen, event->exponent);
 	if (event->kind == BSDF_REFLECT)
 		seen.transmit = 0;
 	seen_add(sum, seen, event->weight);
 }
 
 /* ---- one surface ---- */
+
+/* A hit with its textures. */
+typedef struct Shaded {
+	const ShadePoint *point;
+	const Shading *shading;
+} Shaded;
 
 /* Low quality: the top layer's colour, fully lit, nothing else. */
 static Seen flat_color(const ShadePoint *point, const Shading *shading)
@@ -95,9 +112,25 @@ static Seen flat_color(const ShadePoint *point, const Shading *shading)
 	return sum;
 }
 
-static Seen shade_stack(Tracer *tracer, const PathRay *path, const ShadePoint *point, const Shading *shading,
-                        const ShadingStack *stack)
+/* first: where to note the photons, or NULL. */
+static void add_caustic(const Tracer *tracer, const LitPoint *lit, const Bsdf *bsdf, Seen *sum, FirstHit *first)
 {
+	GatherResult found;
+	caustics_gather(tracer->caustics, lit, bsdf, &found);
+	sum->caustic = rgb_add(sum->caustic, found.radiance);
+	sum->color = rgb_add(sum->color, found.radiance);
+	if (first) {
+		first->photons = (float)found.photons;
+		first->parameter = found.parameter;
+		first->edges = found.edges;
+	}
+}
+
+static Seen shade_stack(Tracer *tracer, const PathRay *path, const Shaded *shaded, const ShadingStack *stack,
+                        FirstHit *first)
+{
+	const ShadePoint *point = shaded->point;
+	const Shading *shading = shaded->shading;
 	BsdfPlace place = {
 		.from = vec3_neg(path->ray.direction), .geometric = point->at.normal,
 		.ior = inside_ratio(&path->inside, point->surface), .both_sides = point->surface->double_illuminate,
@@ -111,8 +144,10 @@ static Seen shade_stack(Tracer *tracer, const PathRay *path, const ShadePoint *p
 	Bsdf bsdf;
 	bsdf_init(&bsdf, &shading->layers[stack->first], stack->count, &place);
 	LitPoint lit = {point->at.world, point->surface, &path->inside};
-	Seen sum = {bsdf_emission(&bsdf, tracer->ambient_light), 0};
+	Seen sum = {.color = bsdf_emission(&bsdf, tracer->ambient_light)};
 	sum.color = rgb_add(sum.color, lighting_at(tracer, &lit, &bsdf));
+	if (tracer->caustics)
+		add_caustic(tracer, &lit, &bsdf, &sum, first);
 	if (!tracer->quality.scatter)
 		return sum;
 	BsdfEvent events[BSDF_MAX_EVENTS];
@@ -144,7 +179,7 @@ static Seen shade_hit(Tracer *tracer, const PathRay *path, const Hit *hit, First
 	for (int i = 0; i < shading.stack_count; i++) {
 		const ShadingStack *stack = &shading.stacks[i];
 		part.weight = path->weight * stack->weight;
-		seen_add(&sum, shade_stack(tracer, &part, &point, &shading, stack), rgb_all(stack->weight));
+		seen_add(&sum, shade_stack(tracer, &part, &(Shaded){&point, &shading}, stack, first), rgb_all(stack->weight));
 	}
 	return sum;
 }
@@ -231,7 +266,7 @@ void tracer_init(Tracer *tracer, const Scene *scene, const RenderOptions *option
 	}
 	*tracer = (Tracer){
 		.scene = scene, .legacy = scene->settings.version < 3.7,
-		.ambient_light = ambient_light(&scene->settings), .quality = quality_of(options->quality), .alpha = options->alpha,
+		.ambient_light = ambient_light(&scene->settings), .quality = quality_of(options->quality), .alpha = options->alpha, .caustics = options->caustics,
 		.blockers = memory_alloc(sizeof *tracer->blockers * (size_t)(scene->light_count + 1)),
 		.grid = memory_alloc(sizeof *tracer->grid * grid),
 		.grid_known = memory_alloc(sizeof *tracer->grid_known * grid),

@@ -25,6 +25,7 @@ typedef struct Tracer {
 	const Scene *scene;
 	Quality quality;
 	bool legacy;             /* a scene before version 3.7 */
+	const Caustics *caustics; /* or NULL */
 	Rgb ambient_light;
 	bool alpha;              /* keep the background transparent */
 	const Shape **blockers;  /* per light: what shadowed the last point; a hint, no result depends on it */
@@ -48,6 +49,7 @@ typedef struct PathRay {
 /* What a ray sees: light, and the share of it that is the untouched background showing through (alpha). */
 typedef struct Seen {
 	Rgb color;
+	Rgb caustic;             /* the part of color that photons brought */
 	float transmit;
 } Seen;
 
@@ -56,6 +58,9 @@ typedef struct FirstHit {
 	double depth;
 	Vec3 normal;
 	Rgb albedo;
+	float photons;           /* that were gathered */
+	Rgb parameter;           /* their mean emitter coordinates as a colour */
+	float edges;             /* their mean number of path edges */
 } FirstHit;
 
 void tracer_init(Tracer *tracer, const Scene *scene, const RenderOptions *options);

@@ -1,5 +1,29 @@
 #include "scene/photon_settings.h"
 
+#include <stddef.h>
+#include <string.h>
+
+enum { NEAREST_COUNT = 50 };
+
+bool photon_estimator_named(const char *name, Estimator *out)
+{
+	static const struct {
+		const char *name;
+		Estimator estimator;
+	} rows[] = {
+		{"povray", {.kind = ESTIMATOR_NEAREST}},
+		{"nearest", {.kind = ESTIMATOR_NEAREST, .kernel = KERNEL_EPANECHNIKOV, .count = NEAREST_COUNT}},
+		{"diffusion", {.kind = ESTIMATOR_DIFFUSION}}, {"footprint", {.kind = ESTIMATOR_FOOTPRINT}},
+		{"deep", {.kind = ESTIMATOR_DEEP}}, {"adaptive", {.kind = ESTIMATOR_ADAPTIVE, .kernel = KERNEL_GAUSSIAN}},
+	};
+	for (size_t i = 0; i < sizeof rows / sizeof *rows; i++)
+		if (strcmp(rows[i].name, name) == 0) {
+			*out = rows[i].estimator;
+			return true;
+		}
+	return false;
+}
+
 /* Spencer and Jones 2013, section 5: seven iterations in each space, 50 and 16 neighbours. */
 Relaxation relaxation_default(void)
 {

@@ -70,6 +70,8 @@ typedef struct PhotonSettings {
 } PhotonSettings;
 
 PhotonSettings photon_settings_default(void);
+/* An estimator's settings when only its word is said; "povray" stands for saying nothing. False for other names. */
+bool photon_estimator_named(const char *name, Estimator *out);
 Relaxation relaxation_default(void);
 
 #endif

@@ -1,0 +1,115 @@
+#include "render/caustics.h"
+
+#include <math.h>
+#include <stdlib.h>
+
+#include "photon/aim.h"
+#include "scene/visit.h"
+
+/* The estimator of the objects that name these settings; the scene's own comes first. */
+typedef struct Row {
+	const Estimator *settings; /* NULL: the scene's */
+	DensityEstimator *estimator;
+} Row;
+
+struct Caustics {
+	PhotonMap *map;
+	Row *rows;
+	int count;
+};
+
+/* ---- creation ---- */
+
+typedef struct Creation {
+	Caustics *caustics;
+	EstimatorSetup setup;
+	Diag *diag;
+	bool failed;
+} Creation;
+
+static void add_row(Creation *creation, const Estimator *settings, const Estimator *method)
+{
+	Caustics *caustics = creation->caustics;
+	creation->setup.method = method;
+	DensityEstimator *estimator = estimator_create(&creation->setup, creation->diag);
+	creation->failed = creation->failed || !estimator;
+	caustics->rows = memory_resize(caustics->rows, sizeof(Row) * (size_t)(caustics->count + 1));
+	caustics->rows[caustics->count++] = (Row){settings, estimator};
+}
+
+static const Row *find_row(const Caustics *caustics, const Estimator *settings)
+{
+	for (int i = 0; i < caustics->count; i++)
+		if (caustics->rows[i].settings == settings)
+			return &caustics->rows[i];
+	return NULL;
+}
+
+static void visit_surface(void *data, const Surface *surface)
+{
+	Creation *creation = data;
+	if (!find_row(creation->caustics, surface->estimator))
+		add_row(creation, surface->estimator, surface->estimator);
+}
+
+/* How far emitter coordinates count when the tree is built: enough to keep a light's photons together, too little to spread
+ * neighbours in the world over many leaves. */
+static const float EMITTER_WEIGHT = 0;
+
+Caustics *caustics_create(const Scene *scene, PhotonMap *map, const CausticOptions *options, Diag *diag)
+{
+	Caustics *caustics = memory_alloc(sizeof *caustics);
+	*caustics = (Caustics){.map = map};
+	photon_map_index(map, EMITTER_WEIGHT);
+	Creation creation = {caustics, {.photons = &scene->settings.photons, .map = map, .radius = options->radius}, diag, false};
+	add_row(&creation, NULL, options->estimator ? options->estimator : &scene->settings.photons.estimator);
+	for (int i = 0; i < scene->shape_count && !options->estimator; i++)
+		shape_visit_surfaces(scene->shapes[i], visit_surface, &creation);
+	if (!creation.failed)
+		return caustics;
+	caustics_destroy(caustics);
+	return NULL;
+}
+
+void caustics_destroy(Caustics *caustics)
+{
+	if (!caustics)
+		return;
+	for (int i = 0; i < caustics->count; i++)
+		estimator_destroy(caustics->rows[i].estimator);
+	free(caustics->rows);
+	photon_map_destroy(caustics->map);
+	free(caustics);
+}
+
+/* ---- gathering ---- */
+
+/*
+ * A photon's flux per area has the cosine of its arrival already, which the smooth lobes' value counts once more. Highlights
+ * do not vanish at grazing angles as the diffuse lobe does, so the cosine is kept from zero.
+ */
+static Rgb lobes_per_cosine(void *data, Vec3 direction)
+{
+	static const double least_cosine = 0.01;
+	const Bsdf *bsdf = data;
+	double cosine = fabs(vec3_dot(direction, bsdf->geometric));
+	return rgb_scale(bsdf_eval(bsdf, direction, true), (float)(1 / fmax(cosine, least_cosine)));
+}
+
+void caustics_gather(const Caustics *caustics, const LitPoint *at, const Bsdf *bsdf, GatherResult *result)
+{
+	*result = (GatherResult){.photons = 0};
+	if (caustics->map->count == 0 || !at->surface->photons_collect || bsdf_is_delta(bsdf))
+		return;
+	const Row *row = find_row(caustics, at->surface->estimator);
+	GatherPoint point = {
+		.position = at->p, .normal = bsdf->geometric, .object = (uint16_t)at->surface->id, .both_sides = bsdf_sees_back(bsdf),
+	};
+	estimator_gather(row ? row->estimator : caustics->rows[0].estimator, &point, lobes_per_cosine, (void *)bsdf, result);
+}
+
+bool caustics_replace_shadow(const Caustics *caustics, const Light *light, const Surface *surface)
+{
+	return caustics && surface->photons_target && surface->photons_refraction && light->photons_refraction &&
+	       photon_light_reaches(light, surface);
+}
