@@ -268,7 +268,7 @@ static void take_facets(Cursor *cursor, Pattern *pattern)
 static void take_waves(Cursor *cursor, Pattern *pattern)
 {
 	const SceneBuilder *builder = cursor->context->builder;
-	if (builder->settings.number_of_waves != settings_default().number_of_waves)
+	if (builder->settings.number_of_waves > 0)
 		pattern->data = wave_sources_create(builder->arena, builder->settings.number_of_waves);
 }
 

@@ -1,14 +1,17 @@
 /*
- * Image maps. Pixel centres lie at half-integers; maps repeat, or end with `once`. Interpolation: bilinear, Catmull-Rom
- * bicubic, and inverse squared distance to the four neighbours, as measured through function { pigment { image_map } }.
- * The mappings are those of the warps of the same names.
+ * Image maps. Pixel centres lie at half-integers; maps repeat, or end with `once`. Interpolation:
+ * bilinear, Catmull-Rom bicubic, and inverse squared distance to the four neighbours, as measured
+ * through function { pigment { image_map } }. The mappings are those of the warps of the same
+ * names.
  */
 #include "surface/image_map.h"
 
 #include <math.h>
 
 /* A place on the raster in pixels, rows from the top. */
-typedef struct Place { double x, y; } Place;
+typedef struct Place {
+	double x, y;
+} Place;
 
 static double turn_about_y(Vec3 p)
 {

@@ -1,14 +1,18 @@
 /*
- * Gradient noise on a lattice of unit cubes (Perlin, "An Image Synthesizer", SIGGRAPH 1985): each lattice point has a number
- * and a gradient; in a cube the eight linear functions are mixed with weights 3t^2 - 2t^3.
+ * Gradient noise on a lattice of unit cubes (Perlin, "An Image Synthesizer", SIGGRAPH 1985): each
+ * lattice point has a number and a gradient; in a cube the eight linear functions are mixed with
+ * weights 3t^2 - 2t^3.
  *
- * The figures that make it POV-Ray's noise were measured with POV-Ray 3.7.0.10; tests/measure_noise.py measures them
- * again. What was found:
- * - Generators 1 and 2 and the vector noise share a lattice. A point hashes to h in 0..255 by a shuffled table of 4096
- *   (noise_tables_make.c); from a table of 267 numbers entry h, halved, is its number, h+1..h+3 its gradient. The vector
- *   noise's x, y and z use the entries from h, h+4 and h+8. Coordinates wrap at 4096, counted from -10000.
- * - Generator 1 is that value + 0.5, generator 2 (value + 1.05242) 0.48985582, both clamped to [0, 1].
- * - Generator 3 has unit gradients and no number, 2048 of each, and a lattice that is shifted by a fraction.
+ * The figures that make it POV-Ray's noise were measured with POV-Ray 3.7.0.10;
+ * tests/measure_noise.py measures them again. What was found:
+ * - Generators 1 and 2 and the vector noise share a lattice. A point hashes to h in 0..255 by a
+ * shuffled table of 4096 (noise_tables_make.c); from a table of 267 numbers entry h, halved, is its
+ * number, h+1..h+3 its gradient. The vector noise's x, y and z use the entries from h, h+4 and h+8.
+ * Coordinates wrap at 4096, counted from -10000.
+ * - Generator 1 is that value + 0.5, generator 2 (value + 1.05242) 0.48985582, both clamped
+ * to [0, 1].
+ * - Generator 3 has unit gradients and no number, 2048 of each, and a lattice that is shifted by a
+ * fraction.
  */
 #include "surface/noise.h"
 
@@ -19,7 +23,8 @@
 
 enum { LATTICE_MASK = 4095, LATTICE_ORIGIN = 10000, PERLIN_MASK = 2047 };
 
-/* A cube of the lattice: the corner's coordinates, the place in it and the weights of the upper faces. */
+/* A cube of the lattice: the corner's coordinates, the place in it and the weights of the upper
+ * faces. */
 typedef struct Cell {
 	int64_t x, y, z;
 	double dx, dy, dz;
@@ -70,7 +75,8 @@ INLINE void corner_add(Pair *sums, int parts, const double *entries, Pair low, P
 }
 
 /* The two corners above each other along z, for x and y chosen; weight is that of the edge. */
-INLINE void edge_add(const Cell *c, Pair *sums, int parts, int hash, double weight, Pair low, double dy)
+INLINE void edge_add(const Cell *c, Pair *sums, int parts, int hash, double weight, Pair low,
+                     double dy)
 {
 	int z = (int)((c->z + LATTICE_ORIGIN) & LATTICE_MASK), z1 = (z + 1) & LATTICE_MASK;
 	double near = weight * (1 - c->sz), far = weight * c->sz;

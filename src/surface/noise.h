@@ -1,8 +1,9 @@
 /*
- * Lattice noise: POV-Ray's three generators, and the sums of octaves that the language calls turbulence.
+ * Lattice noise: POV-Ray's three generators, and the sums of octaves that the language calls
+ * turbulence.
  *
- * Generator 1 is POV-Ray 3.1's noise (clamped), 2 the same one range-corrected (3.7's default), 3 Perlin's improved noise of
- * 2002. 0 and everything else mean 2.
+ * Generator 1 is POV-Ray 3.1's noise (clamped), 2 the same one range-corrected (3.7's default), 3
+ * Perlin's improved noise of 2002. 0 and everything else mean 2.
  */
 #ifndef SURFACE_NOISE_H
 #define SURFACE_NOISE_H
@@ -12,9 +13,10 @@
 enum { NOISE_GENERATOR_DEFAULT = 2 };
 
 typedef struct Turbulence {
-	Vec3 amount;   /* how far each axis is moved: the users of the functions below multiply with it */
-	int octaves;   /* 1..10; 6 */
-	double lambda; /* factor of the frequency from octave to octave; 2. Rounded to single precision, as POV-Ray does */
+	Vec3 amount; /* how far each axis is moved: the users of the functions below multiply with it */
+	int octaves; /* 1..10; 6 */
+	double lambda; /* factor of the frequency from octave to octave; 2. Rounded to single precision,
+	                  as POV-Ray does */
 	double omega;  /* factor of the size from octave to octave; 0.5. Rounded likewise */
 } Turbulence;
 
@@ -30,7 +32,8 @@ Vec3 noise_vector(Vec3 p, int generator);
 double turbulence_value(Vec3 p, const Turbulence *t, int generator);
 Vec3 turbulence_vector(Vec3 p, const Turbulence *t, int generator);
 
-/* Three random numbers in [0, 1) for the unit cube whose lower corner is given: the point of crackle's cells. */
+/* Three random numbers in [0, 1) for the unit cube whose lower corner is given: the point of
+ * crackle's cells. */
 Vec3 noise_cube_random(Vec3 cube);
 
 #endif

@@ -1,11 +1,14 @@
 /*
- * Writes noise_tables.inc, the tables of noise.c, when the program is built. The figures below were measured with POV-Ray
- * 3.7.0.10 as tests/measure_noise.py does it, the recipes found by matching measured values:
+ * Writes noise_tables.inc, the tables of noise.c, when the program is built. The figures below were
+ * measured with POV-Ray 3.7.0.10 as tests/measure_noise.py does it, the recipes found by matching
+ * measured values:
  *
- * - values and derivatives of f_noise_generator(x,y,z,1) at lattice points give the hash of each point and the 267 entries;
- *   the hash is a table shuffled by the linear congruential generator below from seed 0;
- * - the gradients of generator 3 are those that the same generator draws from seed 1, vectors longer than 1 rejected; the
- *   order in which lattice points use them is no shuffle that could be named, so it stands here as measured at (0, y, 0);
+ * - values and derivatives of f_noise_generator(x,y,z,1) at lattice points give the hash of each
+ *   point and the 267 entries; the hash is a table shuffled by the linear congruential generator
+ *   below from seed 0;
+ * - the gradients of generator 3 are those that the same generator draws from seed 1, vectors longer
+ *   than 1 rejected; the order in which lattice points use them is no shuffle that could be named,
+ *   so it stands here as measured at (0, y, 0);
  * - the pattern cells prints the first numbers of the Mersenne twister, by each cube's hash.
  */
 #include <math.h>
@@ -220,7 +223,8 @@ static void write_perlin_hash(void)
 	for (int i = 0; i < PERLIN_COUNT; i++)
 		printf("%d,%c", perlin_hash[i], i % 16 == 15 ? '\n' : ' ');
 	/* With these shifts the table serves x and y alike. */
-	printf("};\n\nenum { PERLIN_SHIFT_X = %d, PERLIN_SHIFT_Y = %d };\n\n", 222, PERLIN_COUNT - perlin_hash[222]);
+	printf("};\n\nenum { PERLIN_SHIFT_X = %d, PERLIN_SHIFT_Y = %d };\n\n", 222,
+	       PERLIN_COUNT - perlin_hash[222]);
 }
 
 static void write_perlin_gradients(void)
@@ -242,7 +246,7 @@ static void write_perlin_gradients(void)
 	printf("};\n");
 }
 
-/* The first numbers of MT19937 with its default seed (Matsumoto and Nishimura 1998, eqs. 2.1 to 2.5). */
+/* The first numbers of MT19937 with its default seed (Matsumoto and Nishimura 1998). */
 static void write_twister(void)
 {
 	enum { N = 624, M = 397, COUNT = HASH_COUNT + 2 };

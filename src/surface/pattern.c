@@ -1,9 +1,10 @@
 /*
- * The table of patterns, and what happens to every pattern's value: warps before, frequency, phase and wave after.
+ * The table of patterns, and what happens to every pattern's value: warps before, frequency, phase
+ * and wave after.
  *
- * The wave shaping is POV-Ray's as measured through function { pattern { } }: the value times frequency plus phase is taken
- * modulo 1.00001 (not 1, so that exactly 1 stays 1), negative values are lifted by whole numbers, then the wave applies.
- * Frequency and phase are single precision.
+ * The wave shaping is POV-Ray's as measured through function { pattern { } }: the value times
+ * frequency plus phase is taken modulo 1.00001 (not 1, so that exactly 1 stays 1), negative values
+ * are lifted by whole numbers, then the wave applies. Frequency and phase are single precision.
  */
 #include "surface/pattern.h"
 
@@ -14,17 +15,18 @@
 #include "surface/warp.h"
 
 static const PatternClass *const pattern_table[] = {
-	&pattern_solid, &pattern_gradient, &pattern_planar, &pattern_spherical, &pattern_cylindrical, &pattern_boxed,
-	&pattern_radial, &pattern_onion, &pattern_leopard, &pattern_spiral1, &pattern_spiral2, &pattern_quilted,
-	&pattern_bozo, &pattern_bumps, &pattern_spotted, &pattern_dents, &pattern_wrinkles, &pattern_granite,
-	&pattern_agate, &pattern_marble, &pattern_wood,
-	&pattern_ripples, &pattern_waves,
-	&pattern_checker, &pattern_brick, &pattern_hexagon, &pattern_cubic, &pattern_square, &pattern_triangular,
-	&pattern_object,
-	&pattern_cells, &pattern_crackle, &pattern_facets,
-	&pattern_mandel, &pattern_julia, &pattern_magnet1m, &pattern_magnet1j, &pattern_magnet2m, &pattern_magnet2j,
-	&pattern_function, &pattern_image, &pattern_density_file, &pattern_pigment, &pattern_slope, &pattern_aoi,
-	&pattern_potential,
+	&pattern_solid,       &pattern_gradient,     &pattern_planar,   &pattern_spherical,
+	&pattern_cylindrical, &pattern_boxed,        &pattern_radial,   &pattern_onion,
+	&pattern_leopard,     &pattern_spiral1,      &pattern_spiral2,  &pattern_quilted,
+	&pattern_bozo,        &pattern_bumps,        &pattern_spotted,  &pattern_dents,
+	&pattern_wrinkles,    &pattern_granite,      &pattern_agate,    &pattern_marble,
+	&pattern_wood,        &pattern_ripples,      &pattern_waves,    &pattern_checker,
+	&pattern_brick,       &pattern_hexagon,      &pattern_cubic,    &pattern_square,
+	&pattern_triangular,  &pattern_object,       &pattern_cells,    &pattern_crackle,
+	&pattern_facets,      &pattern_mandel,       &pattern_julia,    &pattern_magnet1m,
+	&pattern_magnet1j,    &pattern_magnet2m,     &pattern_magnet2j, &pattern_function,
+	&pattern_image,       &pattern_density_file, &pattern_pigment,  &pattern_slope,
+	&pattern_aoi,         &pattern_potential,
 };
 
 const PatternClass *pattern_find(const char *name)

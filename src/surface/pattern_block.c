@@ -1,4 +1,5 @@
-/* Patterns of blocks: each point belongs to one of a few entries. Borders as measured through function { pattern { } }. */
+/* Patterns of blocks: each point belongs to one of a few entries. Borders as measured through
+ * function { pattern { } }. */
 #include <math.h>
 
 #include "surface/pattern_classes.h"
@@ -10,13 +11,15 @@ static const double block_epsilon = 1e-10;
 static double value_checker(const Pattern *pattern, const SurfacePoint *at)
 {
 	(void)pattern;
-	double sum = floor(at->p.x + block_epsilon) + floor(at->p.y + block_epsilon) + floor(at->p.z + block_epsilon);
+	double sum = floor(at->p.x + block_epsilon) + floor(at->p.y + block_epsilon) +
+	             floor(at->p.z + block_epsilon);
 	return fmod(sum, 2) != 0;
 }
 
 static double fraction(double v) { return v - floor(v); }
 
-/* Courses along y; every other one is shifted by half a brick. Mortar, 0, ends a brick on each axis. */
+/* Courses along y; every other one is shifted by half a brick. Mortar, 0, ends a brick on each
+ * axis. */
 static double value_brick(const Pattern *pattern, const SurfacePoint *at)
 {
 	static const BrickData usual = {{8, 3, 4.5}, 0.5};
@@ -51,8 +54,8 @@ static double value_square(const Pattern *pattern, const SurfacePoint *at)
 }
 
 /*
- * Hexagons with sides of one, a corner on each side of the x axis. Cube coordinates find the hexagon: q counts columns
- * along x, r rows along z; the colours go round with r + 2 q.
+ * Hexagons with sides of one, a corner on each side of the x axis. Cube coordinates find the
+ * hexagon: q counts columns along x, r rows along z; the colours go round with r + 2 q.
  */
 static double value_hexagon(const Pattern *pattern, const SurfacePoint *at)
 {
@@ -69,8 +72,9 @@ static double value_hexagon(const Pattern *pattern, const SurfacePoint *at)
 }
 
 /*
- * Triangles with sides of one and a side on the x axis, in rows along x. Every third triangle that points up has the same
- * colour, likewise the ones between them; each row is shifted by half of that period.
+ * Triangles with sides of one and a side on the x axis, in rows along x. Every third triangle that
+ * points up has the same colour, likewise the ones between them; each row is shifted by half of
+ * that period.
  */
 static double value_triangular(const Pattern *pattern, const SurfacePoint *at)
 {

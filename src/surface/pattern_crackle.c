@@ -1,7 +1,8 @@
 /*
- * Crackle, cells and facets: a random point in every unit cube of space. The points are POV-Ray's: a cube hashes, by the
- * noise's table, to an entry of the Mersenne twister's first numbers (default seed), and that entry and the next two are its
- * point. Measured by trilateration with `crackle form <1, 0, 0>`.
+ * Crackle, cells and facets: a random point in every unit cube of space. The points are POV-Ray's:
+ * a cube hashes, by the noise's table, to an entry of the Mersenne twister's first numbers (default
+ * seed), and that entry and the next two are its point. Measured by trilateration with `crackle
+ * form <1, 0, 0>`.
  */
 #include <math.h>
 
@@ -22,8 +23,14 @@ static double value_cells(const Pattern *pattern, const SurfacePoint *at)
 	return noise_cube_random(cube_of(at->p)).x;
 }
 
-/* The nearest points: distances, before the root of the metric, and where the first one is. Only `wanted` are needed. */
-typedef struct Nearest { double distance[3]; Vec3 point; double metric; int wanted; } Nearest;
+/* The nearest points: distances, before the root of the metric, and where the first one is. Only
+ * `wanted` are needed. */
+typedef struct Nearest {
+	double distance[3];
+	Vec3 point;
+	double metric;
+	int wanted;
+} Nearest;
 
 static double metric_power(double d, double metric)
 {
@@ -49,7 +56,8 @@ static void nearest_add(Nearest *n, Vec3 p, Vec3 cube)
 		n->point = point;
 }
 
-/* The cubes' offsets along an axis, nearest first, and how far at least a place in the middle cube is from each by the metric. */
+/* The cubes' offsets along an axis, nearest first, and how far at least a place in the middle cube
+ * is from each by the metric. */
 static const int cube_offsets[5] = {0, -1, 1, -2, 2};
 
 static void axis_gaps(double place, double metric, double gaps[5])
@@ -60,8 +68,8 @@ static void axis_gaps(double place, double metric, double gaps[5])
 	}
 }
 
-/* The row of five cubes along z, as far as they can hold a nearer point. In the shell round the inner 27 POV-Ray searches
- * the faces only, not their edges. */
+/* The row of five cubes along z, as far as they can hold a nearer point. In the shell round the
+ * inner 27 POV-Ray searches the faces only, not their edges. */
 static void search_row(Nearest *n, Vec3 p, Vec3 row, const double gaps[5], double gap, bool shell)
 {
 	for (int k = 0; k < (shell ? 3 : 5); k++)
@@ -114,8 +122,8 @@ static double value_facets(const Pattern *pattern, const SurfacePoint *at)
 	return 0;
 }
 
-/* With coords, each of crackle's cells is tilted its own way; else the normal itself snaps to the nearest of crackle's points
- * in the space of normals. */
+/* With coords, each of crackle's cells is tilted its own way; else the normal itself snaps to the
+ * nearest of crackle's points in the space of normals. */
 static void bump_facets(const Pattern *pattern, const SurfacePoint *at, double amount, Vec3 *normal)
 {
 	static const FacetsData usual = {0, 0.1};

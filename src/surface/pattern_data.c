@@ -1,4 +1,5 @@
-/* Patterns that look elsewhere: functions, images, volumes, pigments, shapes, and the surface's own slope. */
+/* Patterns that look elsewhere: functions, images, volumes, pigments, shapes, and the surface's own
+ * slope. */
 #include "surface/pattern_data.h"
 
 #include <math.h>
@@ -33,12 +34,10 @@ static double value_potential(const Pattern *pattern, const SurfacePoint *at)
 }
 
 /* The range given mapped to 0 to 1; a range without width stays as it is. */
-static double ranged(double v, double lo, double hi)
-{
-	return hi == lo ? v : (v - lo) / (hi - lo);
-}
+static double ranged(double v, double lo, double hi) { return hi == lo ? v : (v - lo) / (hi - lo); }
 
-/* Share of half a turn between the normal and the plane square to a direction: 0 away from it, 1 towards it. */
+/* Share of half a turn between the normal and the plane square to a direction: 0 away from it, 1
+ * towards it. */
 static double facing(Vec3 normal, Vec3 direction)
 {
 	return asin(fmax(-1, fmin(1, vec3_dot(normal, vec3_normalize(direction))))) / M_PI + 0.5;
@@ -53,7 +52,8 @@ static double value_slope(const Pattern *pattern, const SurfacePoint *at)
 	double along = vec3_length(slope->altitude), down = vec3_length(direction);
 	if (along == 0)
 		return v;
-	double altitude = ranged(vec3_dot(at->p, slope->altitude) / along, slope->lo_alt, slope->hi_alt);
+	double altitude = ranged(vec3_dot(at->p, slope->altitude) / along, slope->lo_alt,
+	                         slope->hi_alt);
 	return (down * v + along * altitude) / (down + along);
 }
 
@@ -77,7 +77,8 @@ DensityData *density_parse(Arena *arena, const uint8_t *bytes, size_t length)
 {
 	if (length < 6)
 		return NULL;
-	size_t x = big_endian(bytes, 2), y = big_endian(bytes + 2, 2), z = big_endian(bytes + 4, 2), count = x * y * z;
+	size_t x = big_endian(bytes, 2), y = big_endian(bytes + 2, 2), z = big_endian(bytes + 4, 2),
+		   count = x * y * z;
 	if (count == 0 || (length - 6) / count == 0)
 		return NULL;
 	size_t width = (length - 6) / count >= 4 ? 4 : (length - 6) / count >= 2 ? 2 : 1;
@@ -99,7 +100,8 @@ static double voxel_at(const DensityData *d, int x, int y, int z)
 	return d->voxels[row * (size_t)d->size_x + wrapped(x, d->size_x)];
 }
 
-/* The weights of four neighbours, the first of them one below: linear, or Catmull and Rom's cubic. */
+/* The weights of four neighbours, the first of them one below: linear, or Catmull and Rom's cubic.
+ */
 static void neighbour_weights(int interpolate, double t, double w[4])
 {
 	if (interpolate == 1) {
@@ -137,9 +139,12 @@ static double value_density(const Pattern *pattern, const SurfacePoint *at)
 }
 
 const PatternClass pattern_function = {"function", value_function, 0, NULL, PATTERN_NEEDS_DATA};
-const PatternClass pattern_image = {"image_pattern", value_image, 0, NULL, PATTERN_STILL | PATTERN_NEEDS_DATA};
-const PatternClass pattern_density_file = {"density_file", value_density, 0, NULL, PATTERN_STILL | PATTERN_NEEDS_DATA};
-const PatternClass pattern_pigment = {"pigment_pattern", value_pigment, 0, NULL, PATTERN_NEEDS_DATA};
+const PatternClass pattern_image = {"image_pattern", value_image, 0, NULL,
+                                    PATTERN_STILL | PATTERN_NEEDS_DATA};
+const PatternClass pattern_density_file = {"density_file", value_density, 0, NULL,
+                                           PATTERN_STILL | PATTERN_NEEDS_DATA};
+const PatternClass pattern_pigment = {"pigment_pattern", value_pigment, 0, NULL,
+                                      PATTERN_NEEDS_DATA};
 const PatternClass pattern_slope = {"slope", value_slope, 0, NULL, PATTERN_NEEDS_DATA};
 const PatternClass pattern_aoi = {"aoi", value_aoi, 0, NULL, 0};
 const PatternClass pattern_potential = {"potential", value_potential, 0, NULL, PATTERN_NEEDS_DATA};

@@ -1,6 +1,7 @@
 /*
- * What a pattern's words fill in: Pattern.data of each class. data NULL means the defaults, except where a struct says that it is
- * needed. lang makes them in the scene's arena; pointers inside live as long.
+ * What a pattern's words fill in: Pattern.data of each class. data NULL means the defaults, except
+ * where a struct says that it is needed. lang makes them in the scene's arena; pointers inside live
+ * as long.
  */
 #ifndef SURFACE_PATTERN_DATA_H
 #define SURFACE_PATTERN_DATA_H
@@ -12,17 +13,30 @@
 #include "surface/pattern.h"
 #include "surface/texture.h"
 
-typedef struct GradientData { Vec3 direction; } GradientData; /* gradient; needed */
-typedef struct AgateData { double turbulence; } AgateData;    /* agate_turb; 1 */
-typedef struct QuiltedData { double control0, control1; } QuiltedData; /* 1, 1 */
-typedef struct SpiralData { int arms; } SpiralData;           /* spiral1, spiral2; needed */
-typedef struct BrickData { Vec3 size; double mortar; } BrickData; /* <8, 3, 4.5>, 0.5 */
-typedef struct TilingData { int kind; } TilingData;           /* tiling: 1..27; 1 */
+typedef struct GradientData {
+	Vec3 direction;
+} GradientData; /* gradient; needed */
+typedef struct AgateData {
+	double turbulence;
+} AgateData; /* agate_turb; 1 */
+typedef struct QuiltedData {
+	double control0, control1;
+} QuiltedData; /* 1, 1 */
+typedef struct SpiralData {
+	int arms;
+} SpiralData; /* spiral1, spiral2; needed */
+typedef struct BrickData {
+	Vec3 size;
+	double mortar;
+} BrickData; /* <8, 3, 4.5>, 0.5 */
+typedef struct TilingData {
+	int kind;
+} TilingData; /* tiling: 1..27; 1 */
 
 typedef struct PavementData {
-	int sides;   /* number_of_sides 3, 4, 6; 3 */
-	int tiles;   /* number_of_tiles 1..6; 1 */
-	int pattern; /* 1..; 1 */
+	int sides;                    /* number_of_sides 3, 4, 6; 3 */
+	int tiles;                    /* number_of_tiles 1..6; 1 */
+	int pattern;                  /* 1..; 1 */
 	int exterior, interior, form; /* 0 */
 } PavementData;
 
@@ -34,19 +48,23 @@ typedef struct CrackleData {
 	bool solid;
 } CrackleData;
 
-/* facets: coords 0 snaps normals, else it is how far facets tilt; size, 0.1, is theirs in either case. */
-typedef struct FacetsData { double coords, size; } FacetsData;
+/* facets: coords 0 snaps normals, else it is how far facets tilt; size, 0.1, is theirs in either
+ * case. */
+typedef struct FacetsData {
+	double coords, size;
+} FacetsData;
 
-/* mandel, julia, magnet1m, magnet2m, magnet1j, magnet2j (the names of the classes; `magnet 1 mandel` is magnet1m) */
+/* mandel, julia, magnet1m, magnet2m, magnet1j, magnet2j (the names of the classes; `magnet 1
+ * mandel` is magnet1m) */
 typedef struct FractalData {
 	double real, imaginary; /* the Julia constant */
 	int iterations;
-	int exponent;           /* 2..33; 2 */
-	int exterior, interior; /* colouring types; 1, 0 */
+	int exponent;                            /* 2..33; 2 */
+	int exterior, interior;                  /* colouring types; 1, 0 */
 	double exterior_factor, interior_factor; /* 1 */
 } FractalData;
 
-/* waves and ripples: the sources, made once a scene by wave_sources_create. NULL data: ten sources. */
+/* waves and ripples: the sources, made once a scene by wave_sources_create. NULL: ten sources. */
 typedef struct WaveData {
 	int count;
 	const Vec3 *sources;
@@ -55,9 +73,15 @@ typedef struct WaveData {
 /* global_settings { number_of_waves count } */
 const WaveData *wave_sources_create(Arena *arena, int count);
 
-typedef struct FunctionData { const Function *function; } FunctionData; /* function of x, y, z; needed */
-typedef struct ImageData { const ImageMap *image; } ImageData;          /* image_pattern; needed */
-typedef struct PigmentData { const Pigment *pigment; } PigmentData;     /* pigment_pattern; needed */
+typedef struct FunctionData {
+	const Function *function;
+} FunctionData; /* function of x, y, z; needed */
+typedef struct ImageData {
+	const ImageMap *image;
+} ImageData; /* image_pattern; needed */
+typedef struct PigmentData {
+	const Pigment *pigment;
+} PigmentData; /* pigment_pattern; needed */
 
 /* object: entry 1 inside the shape. The callback keeps this room free of geometry. */
 typedef struct ObjectData {
@@ -65,14 +89,14 @@ typedef struct ObjectData {
 	const void *shape;
 } ObjectData;
 
-/* potential: the field of a blob or function minus its threshold, as the shape's owner computes it. */
+/* potential: the field of a blob or function minus its threshold, as its owner computes it. */
 typedef struct PotentialData {
 	double (*value)(const void *shape, Vec3 p);
 	const void *shape;
 } PotentialData;
 
 typedef struct SlopeData {
-	Vec3 direction;            /* slope's vector, or the point with point_at */
+	Vec3 direction; /* slope's vector, or the point with point_at */
 	bool point_at;
 	Vec3 altitude;             /* zero: no altitude */
 	double lo_slope, hi_slope; /* 0, 1 */

@@ -1,16 +1,22 @@
 /*
- * Fractals in the x-y plane: Mandelbrot and Julia sets of integer exponents and the two magnet fractals (the iterations are
- * in POV-Ray's manual and in any book on fractals). The iteration counts, bail-outs and colourings are as measured.
+ * Fractals in the x-y plane: Mandelbrot and Julia sets of integer exponents and the two magnet
+ * fractals (the iterations are in POV-Ray's manual and in any book on fractals). The iteration
+ * counts, bail-outs and colourings are as measured.
  */
 #include <math.h>
 
 #include "surface/pattern_classes.h"
 #include "surface/pattern_data.h"
 
-typedef struct Complex { double r, i; } Complex;
+typedef struct Complex {
+	double r, i;
+} Complex;
 
 static Complex complex_add(Complex a, Complex b) { return (Complex){a.r + b.r, a.i + b.i}; }
-static Complex complex_mul(Complex a, Complex b) { return (Complex){a.r * b.r - a.i * b.i, a.r * b.i + a.i * b.r}; }
+static Complex complex_mul(Complex a, Complex b)
+{
+	return (Complex){a.r * b.r - a.i * b.i, a.r * b.i + a.i * b.r};
+}
 static double complex_norm(Complex a) { return a.r * a.r + a.i * a.i; }
 
 static Complex complex_div(Complex a, Complex b)
@@ -27,8 +33,8 @@ static Complex complex_power(Complex z, int n)
 	return result;
 }
 
-static const FractalData fractal_usual = {.iterations = 20, .exponent = 2, .exterior = 1, .exterior_factor = 1,
-                                          .interior_factor = 1};
+static const FractalData fractal_usual = {
+	.iterations = 20, .exponent = 2, .exterior = 1, .exterior_factor = 1, .interior_factor = 1};
 
 /* One of the orbit's coordinates, squared or not, that colourings 2 to 6 take. */
 static double orbit_part(int type, Complex z)
@@ -114,7 +120,8 @@ static Complex magnet1_step(Complex z, Complex c)
 
 static Complex magnet2_step(Complex z, Complex c)
 {
-	Complex c1 = {c.r - 1, c.i}, c2 = {c.r - 2, c.i}, product = complex_mul(c1, c2), square = complex_mul(z, z);
+	Complex c1 = {c.r - 1, c.i}, c2 = {c.r - 2, c.i}, product = complex_mul(c1, c2),
+			square = complex_mul(z, z);
 	Complex above = complex_add(complex_mul(z, square), product);
 	above = complex_add(above, complex_mul((Complex){3 * c1.r, 3 * c1.i}, z));
 	Complex below = {3 * square.r + product.r + 1, 3 * square.i + product.i};
@@ -123,7 +130,8 @@ static Complex magnet2_step(Complex z, Complex c)
 }
 
 /* Left when |z| > 100, or when the orbit comes to the attractor 1. */
-static double magnet_fractal(const FractalData *f, Complex (*step)(Complex, Complex), Complex z, Complex c)
+static double magnet_fractal(const FractalData *f, Complex (*step)(Complex, Complex), Complex z,
+                             Complex c)
 {
 	double nearest = z.r == 0 && z.i == 0 ? HUGE_VAL : complex_norm(z);
 	for (int n = 0; n < f->iterations; n++) {
@@ -137,22 +145,36 @@ static double magnet_fractal(const FractalData *f, Complex (*step)(Complex, Comp
 	return interior_value(f, nearest, z);
 }
 
-static double magnet_mandel(const Pattern *pattern, const SurfacePoint *at, Complex (*step)(Complex, Complex))
+static double magnet_mandel(const Pattern *pattern, const SurfacePoint *at,
+                            Complex (*step)(Complex, Complex))
 {
 	const FractalData *f = pattern->data ? pattern->data : &fractal_usual;
 	return magnet_fractal(f, step, (Complex){0, 0}, (Complex){at->p.x, at->p.y});
 }
 
-static double magnet_julia(const Pattern *pattern, const SurfacePoint *at, Complex (*step)(Complex, Complex))
+static double magnet_julia(const Pattern *pattern, const SurfacePoint *at,
+                           Complex (*step)(Complex, Complex))
 {
 	const FractalData *f = pattern->data;
 	return magnet_fractal(f, step, (Complex){at->p.x, at->p.y}, (Complex){f->real, f->imaginary});
 }
 
-static double value_magnet1m(const Pattern *p, const SurfacePoint *at) { return magnet_mandel(p, at, magnet1_step); }
-static double value_magnet2m(const Pattern *p, const SurfacePoint *at) { return magnet_mandel(p, at, magnet2_step); }
-static double value_magnet1j(const Pattern *p, const SurfacePoint *at) { return magnet_julia(p, at, magnet1_step); }
-static double value_magnet2j(const Pattern *p, const SurfacePoint *at) { return magnet_julia(p, at, magnet2_step); }
+static double value_magnet1m(const Pattern *p, const SurfacePoint *at)
+{
+	return magnet_mandel(p, at, magnet1_step);
+}
+static double value_magnet2m(const Pattern *p, const SurfacePoint *at)
+{
+	return magnet_mandel(p, at, magnet2_step);
+}
+static double value_magnet1j(const Pattern *p, const SurfacePoint *at)
+{
+	return magnet_julia(p, at, magnet1_step);
+}
+static double value_magnet2j(const Pattern *p, const SurfacePoint *at)
+{
+	return magnet_julia(p, at, magnet2_step);
+}
 
 const PatternClass pattern_mandel = {"mandel", value_mandel, 0, NULL, 0};
 const PatternClass pattern_julia = {"julia", value_julia, 0, NULL, PATTERN_NEEDS_DATA};

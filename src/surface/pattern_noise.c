@@ -1,4 +1,5 @@
-/* Patterns made of noise. Formulas as measured at random points through function { pattern { } }. */
+/* Patterns made of noise. Formulas as measured at random points through function { pattern { } }.
+ */
 #include <math.h>
 
 #include "surface/pattern_classes.h"
@@ -43,7 +44,8 @@ static double value_wrinkles(const Pattern *pattern, const SurfacePoint *at)
 	return sum / 2;
 }
 
-static void bump_wrinkles(const Pattern *pattern, const SurfacePoint *at, double amount, Vec3 *normal)
+static void bump_wrinkles(const Pattern *pattern, const SurfacePoint *at, double amount,
+                          Vec3 *normal)
 {
 	int generator = pattern_generator(pattern);
 	Vec3 sum = vec3_all(0);
@@ -71,7 +73,8 @@ static double value_agate(const Pattern *pattern, const SurfacePoint *at)
 	const AgateData *data = pattern->data;
 	const Turbulence *classic = warp_find_classic(pattern->warps);
 	Turbulence turbulence = classic ? *classic : turbulence_default();
-	double stir = (data ? (float)data->turbulence : 1) * turbulence_value(at->p, &turbulence, pattern_generator(pattern));
+	double stir = (data ? (float)data->turbulence : 1) *
+	              turbulence_value(at->p, &turbulence, pattern_generator(pattern));
 	double v = 0.5 * (pattern_cycloid(1.3 * stir + 1.1 * at->p.z) + 1);
 	return v <= 0 ? 0 : pow(v < 1 ? v : 1, 0.77);
 }
@@ -81,7 +84,8 @@ static double value_marble(const Pattern *pattern, const SurfacePoint *at)
 	const Turbulence *turbulence = warp_find_classic(pattern->warps);
 	double stir = 0;
 	if (turbulence)
-		stir = turbulence->amount.x * turbulence_value(at->p, turbulence, pattern_generator(pattern));
+		stir = turbulence->amount.x *
+		       turbulence_value(at->p, turbulence, pattern_generator(pattern));
 	return at->p.x + stir;
 }
 
@@ -104,5 +108,7 @@ const PatternClass pattern_dents = {"dents", value_dents, 0, bump_dents, 0};
 const PatternClass pattern_wrinkles = {"wrinkles", value_wrinkles, 0, bump_wrinkles, 0};
 const PatternClass pattern_granite = {"granite", value_granite, 0, NULL, 0};
 const PatternClass pattern_agate = {"agate", value_agate, 0, NULL, 0};
-const PatternClass pattern_marble = {"marble", value_marble, 0, NULL, PATTERN_OWN_TURBULENCE | PATTERN_TRIANGLE};
-const PatternClass pattern_wood = {"wood", value_wood, 0, NULL, PATTERN_OWN_TURBULENCE | PATTERN_TRIANGLE};
+const PatternClass pattern_marble = {"marble", value_marble, 0, NULL,
+                                     PATTERN_OWN_TURBULENCE | PATTERN_TRIANGLE};
+const PatternClass pattern_wood = {"wood", value_wood, 0, NULL,
+                                   PATTERN_OWN_TURBULENCE | PATTERN_TRIANGLE};

@@ -1,4 +1,5 @@
-/* Patterns of plain geometry: distances, angles, spirals, quilts. Formulas by POV-Ray's manual, details as measured. */
+/* Patterns of plain geometry: distances, angles, spirals, quilts. Formulas by POV-Ray's manual,
+ * details as measured. */
 #include <math.h>
 
 #include "surface/pattern_classes.h"
@@ -67,7 +68,9 @@ static double value_leopard(const Pattern *pattern, const SurfacePoint *at)
 }
 
 /* Distance from the z axis, turns about it from -y through +x, and the pattern's own turbulence. */
-typedef struct Screw { double radius, turn, turbulence; } Screw;
+typedef struct Screw {
+	double radius, turn, turbulence;
+} Screw;
 
 static Screw screw_at(const Pattern *pattern, Vec3 p)
 {
@@ -78,7 +81,8 @@ static Screw screw_at(const Pattern *pattern, Vec3 p)
 		s.turn += 1;
 	const Turbulence *turbulence = warp_find_classic(pattern->warps);
 	if (turbulence)
-		s.turbulence = turbulence->amount.x * turbulence_value(p, turbulence, pattern_generator(pattern));
+		s.turbulence = turbulence->amount.x *
+		               turbulence_value(p, turbulence, pattern_generator(pattern));
 	return s;
 }
 
@@ -104,13 +108,15 @@ static double quilt_slope(double t, double control0, double control1)
 	return 3 * t * u * u * control0 + 3 * t * t * u * control1 + t * t * t;
 }
 
-/* Where in its unit cube the point lies, from the middle, as a share of half the diagonal, scaled by the gouge. */
+/* Where in its unit cube the point lies, from the middle, as a share of half the diagonal, scaled
+ * by the gouge. */
 static Vec3 quilt_vector(const Pattern *pattern, Vec3 p)
 {
 	const QuiltedData *data = pattern->data;
 	Vec3 v = vec3(p.x - floor(p.x) - 0.5, p.y - floor(p.y) - 0.5, p.z - floor(p.z) - 0.5);
 	const double half_diagonal = 1 / 1.154700538; /* POV-Ray's figure for sqrt(3) / 2 */
-	double t = quilt_slope(vec3_length(v), data ? (float)data->control0 : 1, data ? (float)data->control1 : 1);
+	double t = quilt_slope(vec3_length(v), data ? (float)data->control0 : 1,
+	                       data ? (float)data->control1 : 1);
 	return vec3_scale(v, t / half_diagonal);
 }
 
@@ -120,7 +126,8 @@ static double value_quilted(const Pattern *pattern, const SurfacePoint *at)
 	return (fabs(v.x) + fabs(v.y) + fabs(v.z)) / 3;
 }
 
-static void bump_quilted(const Pattern *pattern, const SurfacePoint *at, double amount, Vec3 *normal)
+static void bump_quilted(const Pattern *pattern, const SurfacePoint *at, double amount,
+                         Vec3 *normal)
 {
 	*normal = vec3_mad(*normal, amount, quilt_vector(pattern, at->p));
 }
@@ -135,7 +142,7 @@ const PatternClass pattern_radial = {"radial", value_radial, 0, NULL, 0};
 const PatternClass pattern_onion = {"onion", value_onion, 0, NULL, 0};
 const PatternClass pattern_leopard = {"leopard", value_leopard, 0, NULL, 0};
 const PatternClass pattern_spiral1 = {"spiral1", value_spiral1, 0, NULL,
-	PATTERN_TRIANGLE | PATTERN_NEEDS_DATA};
+                                      PATTERN_TRIANGLE | PATTERN_NEEDS_DATA};
 const PatternClass pattern_spiral2 = {"spiral2", value_spiral2, 0, NULL,
-	PATTERN_TRIANGLE | PATTERN_NEEDS_DATA};
+                                      PATTERN_TRIANGLE | PATTERN_NEEDS_DATA};
 const PatternClass pattern_quilted = {"quilted", value_quilted, 0, bump_quilted, 0};

@@ -1,6 +1,7 @@
 /*
- * Ripples and waves: circular waves from random sources. Formulas as measured through function { pattern { } }, the bumps by
- * rendering. The sources lie on the unit sphere, in the directions of the vector noise along the x axis.
+ * Ripples and waves: circular waves from random sources. Formulas as measured through function {
+ * pattern { } }, the bumps by rendering. The sources lie on the unit sphere, in the directions of
+ * the vector noise along the x axis.
  */
 #include <math.h>
 #include <stdint.h>
@@ -40,7 +41,11 @@ const WaveData *wave_sources_create(Arena *arena, int count)
 }
 
 /* The pattern's sources, or the ten of a scene that sets no number, made in the given space. */
-typedef struct WaveSet { WaveData data; Vec3 sources[WAVE_DEFAULT_COUNT]; double frequencies[WAVE_DEFAULT_COUNT]; } WaveSet;
+typedef struct WaveSet {
+	WaveData data;
+	Vec3 sources[WAVE_DEFAULT_COUNT];
+	double frequencies[WAVE_DEFAULT_COUNT];
+} WaveSet;
 
 static WaveData wave_set(const Pattern *pattern, WaveSet *space)
 {
@@ -85,14 +90,16 @@ static double value_waves(const Pattern *pattern, const SurfacePoint *at)
 	return 0.2 * (2.5 + sum / waves.count);
 }
 
-static void bump_ripples(const Pattern *pattern, const SurfacePoint *at, double amount, Vec3 *normal)
+static void bump_ripples(const Pattern *pattern, const SurfacePoint *at, double amount,
+                         Vec3 *normal)
 {
 	WaveSet space;
 	WaveData waves = wave_set(pattern, &space);
 	for (int i = 0; i < waves.count; i++) {
 		Vec3 offset = vec3_sub(at->p, waves.sources[i]);
 		double length = wave_distance(offset);
-		double push = amount * pattern_cycloid(length * (float)pattern->frequency + (float)pattern->phase);
+		double push = amount *
+		              pattern_cycloid(length * (float)pattern->frequency + (float)pattern->phase);
 		*normal = vec3_mad(*normal, push / length / waves.count, offset);
 	}
 }
@@ -104,7 +111,10 @@ static void bump_waves(const Pattern *pattern, const SurfacePoint *at, double am
 	for (int i = 0; i < waves.count; i++) {
 		Vec3 offset = vec3_sub(at->p, waves.sources[i]);
 		double length = wave_distance(offset), f = waves.frequencies[i];
-		double push = amount * pattern_cycloid(length * (float)pattern->frequency * f + (float)pattern->phase) / f;
+		double push = amount *
+		              pattern_cycloid(length * (float)pattern->frequency * f +
+		                              (float)pattern->phase) /
+		              f;
 		*normal = vec3_mad(*normal, push / length / waves.count, offset);
 	}
 }

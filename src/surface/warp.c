@@ -1,6 +1,6 @@
 /*
- * Warps. The formulas were found by sending points through warps with POV-Ray 3.7 (gradients along x, y and z show where a
- * point goes); tests/unit/test_pattern.c holds such points.
+ * Warps. The formulas were found by sending points through warps with POV-Ray 3.7 (gradients along
+ * x, y and z show where a point goes); tests/unit/test_pattern.c holds such points.
  *
  * The classic turbulence applies after every other warp, wherever its word stands.
  */
@@ -19,7 +19,8 @@ WarpBlackHole warp_black_hole_default(void)
 	return (WarpBlackHole){.radius = 1, .strength = 1, .falloff = 2};
 }
 
-/* A repeated hole has to stay inside its block: its centre is moved and the block widened until it does. */
+/* A repeated hole has to stay inside its block: its centre is moved and the block widened until it
+ * does. */
 static void settle_axis(double *center, double *repeat, double radius, double uncertainty)
 {
 	if (*repeat == 0)
@@ -95,7 +96,8 @@ static Vec3 apply_repeat(const WarpRepeat *r, Vec3 p)
 	double along = vec3_axis(p, r->axis), copy = floor(along / r->width);
 	along -= copy * r->width;
 	if (fmod(copy, 2) != 0) {
-		p = vec3(r->flip.x != 0 ? -p.x : p.x, r->flip.y != 0 ? -p.y : p.y, r->flip.z != 0 ? -p.z : p.z);
+		p = vec3(r->flip.x != 0 ? -p.x : p.x, r->flip.y != 0 ? -p.y : p.y,
+		         r->flip.z != 0 ? -p.z : p.z);
 		if (vec3_axis(r->flip, r->axis) != 0)
 			along = r->width - along;
 	}
@@ -103,9 +105,13 @@ static Vec3 apply_repeat(const WarpRepeat *r, Vec3 p)
 	return vec3_mad(p, copy, r->offset);
 }
 
-static double block_number(double at, double repeat) { return repeat != 0 ? floor(at / repeat) : 0; }
+static double block_number(double at, double repeat)
+{
+	return repeat != 0 ? floor(at / repeat) : 0;
+}
 
-/* The centre of the hole in the point's block; turbulence moves it by the random numbers of crackle's cells. */
+/* The centre of the hole in the point's block; turbulence moves it by the random numbers of
+ * crackle's cells. */
 static Vec3 black_hole_center(const WarpBlackHole *hole, Vec3 p)
 {
 	if (!hole->repeats)
@@ -163,18 +169,21 @@ static Vec3 apply_spherical(const WarpMapping *m, Vec3 p)
 	double length = vec3_length(p);
 	if (length == 0)
 		return p;
-	double factor = distance_factor(m, length), height = atan2(p.y, sqrt(p.x * p.x + p.z * p.z)) / M_PI + 0.5;
+	double factor = distance_factor(m, length),
+		   height = atan2(p.y, sqrt(p.x * p.x + p.z * p.z)) / M_PI + 0.5;
 	return orient(m, turn_about_y(p) * factor, height * factor, length);
 }
 
 static Vec3 apply_toroidal(const WarpMapping *m, Vec3 p)
 {
-	double out = sqrt(p.x * p.x + p.z * p.z) - m->major_radius, length = sqrt(out * out + p.y * p.y);
+	double out = sqrt(p.x * p.x + p.z * p.z) - m->major_radius,
+		   length = sqrt(out * out + p.y * p.y);
 	double factor = distance_factor(m, length), turn = atan2(p.y, out) / (2 * M_PI) + 0.5;
 	return orient(m, turn_about_y(p) * factor, turn * factor, length);
 }
 
-/* The faces of a cube unfolded to a cross of 4 by 3: -x, +z, +x, -z in the middle row, +y above and -y below +z. */
+/* The faces of a cube unfolded to a cross of 4 by 3: -x, +z, +x, -z in the middle row, +y above and
+ * -y below +z. */
 static Vec3 apply_cubic(Vec3 p)
 {
 	double ax = fabs(p.x), ay = fabs(p.y), az = fabs(p.z);

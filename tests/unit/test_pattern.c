@@ -1,4 +1,4 @@
-/* Noise, patterns and warps against values measured with POV-Ray (pattern_data.h, by tests/measure_patterns.sh). */
+/* Noise, patterns and warps against values that tests/measure_patterns.sh measured with POV-Ray. */
 #include "surface/pattern.h"
 
 #include "base/random.h"
@@ -10,9 +10,10 @@ typedef struct MeasuredPattern { const char *class, *words; double values[4]; } 
 
 #include "tests/unit/pattern_data.h"
 
-static const Vec3 points[4] = {{0.31, 0.42, 0.53}, {-1.27, 0.88, 2.41}, {3.19, -2.63, -0.77}, {-7.3, 5.9, 11.7}};
+static const Vec3 points[4] = {
+	{0.31, 0.42, 0.53}, {-1.27, 0.88, 2.41}, {3.19, -2.63, -0.77}, {-7.3, 5.9, 11.7}};
 
-/* What a case's words say. Zero: not said. The parts apply as they stand: amount and warp, then scale, then outer. */
+/* What a case's words say; zero: nothing. Amount and warp apply first, then scale, then outer. */
 typedef struct Case {
 	const void *data;
 	int generator;
@@ -28,8 +29,9 @@ typedef struct Case {
 #define DATA(type, ...) .data = &(const type){__VA_ARGS__}
 #define WARP(name, ...) .warp = &(const Warp){.kind = name, __VA_ARGS__}
 #define WAVE(kind) .has_wave = true, .wave = kind
-#define FRACTAL(...) DATA(FractalData, .exponent = 2, .exterior = 1, .exterior_factor = 1, .interior_factor = 1, __VA_ARGS__)
-#define FRACTAL_POWER(...) DATA(FractalData, .exterior = 1, .exterior_factor = 1, .interior_factor = 1, __VA_ARGS__)
+#define FRACTAL_POWER(...) \
+	DATA(FractalData, .exterior = 1, .exterior_factor = 1, .interior_factor = 1, __VA_ARGS__)
+#define FRACTAL(...) FRACTAL_POWER(.exponent = 2, __VA_ARGS__)
 #define MAPPING(...) .u.mapping = {__VA_ARGS__}
 
 static const GradientData along_y = {{0, 1, 0}};
@@ -50,7 +52,8 @@ static const Case cases[] = {
 	{FRACTAL_POWER(.iterations = 20, .exponent = 4, .interior = 1), .scale = 5},
 	{FRACTAL(.iterations = 30, .real = 0.353, .imaginary = 0.288), .scale = 5},
 	{FRACTAL(.iterations = 30)}, {FRACTAL(.iterations = 30)},
-	{.data = &along_y, WAVE(WAVE_SINE)}, {.data = &along_y, WAVE(WAVE_SCALLOP)}, {.data = &along_y, WAVE(WAVE_CUBIC)},
+	{.data = &along_y, WAVE(WAVE_SINE)}, {.data = &along_y, WAVE(WAVE_SCALLOP)},
+	{.data = &along_y, WAVE(WAVE_CUBIC)},
 	{.data = &along_y, WAVE(WAVE_POLY), .exponent = 2}, {.data = &along_y, WAVE(WAVE_TRIANGLE)},
 	{.data = &along_y, .frequency = 3, .phase = 0.7},
 	{WARP(WARP_REPEAT, .u.repeat = {0, 2, {1, 1, 0}, {0.1, 0.2, 0.3}})},
@@ -64,7 +67,7 @@ static const Case cases[] = {
 	 .outer = &(const Warp){.kind = WARP_TURBULENCE, .u.turbulence = {{0.1, 0.2, 0.3}, 6, 3, 0.5}}},
 };
 
-enum { CASE_COUNT = sizeof cases / sizeof cases[0], ROW_COUNT = sizeof measured / sizeof measured[0] };
+enum { CASE_COUNT = sizeof cases / sizeof *cases, ROW_COUNT = sizeof measured / sizeof *measured };
 
 static Pattern make_pattern(Arena *arena, const char *class, const Case *c)
 {
@@ -104,7 +107,8 @@ static void test_patterns(Arena *arena)
 			double value = pattern_value(&pattern, &at);
 			if (!(fabs(value - measured[i].values[k]) < 1e-12)) {
 				check_failures++;
-				printf("%s at point %d: %.15f, measured %.15f\n", measured[i].words, k, value, measured[i].values[k]);
+				printf("%s at point %d: %.15f, measured %.15f\n", measured[i].words, k, value,
+				       measured[i].values[k]);
 			}
 		}
 	}
@@ -123,7 +127,13 @@ static void test_vectors(void)
 	}
 }
 
-/* Six entries of which each is found; a point that is no number hurts nobody. */
+static Vec3 random_point(int i)
+{
+	return vec3(random_uniform(1, (uint64_t)i, 0) * 20 - 10, random_uniform(1, (uint64_t)i, 1) * 20 - 10,
+	            random_uniform(1, (uint64_t)i, 2) * 20 - 10);
+}
+
+/* Every entry of a list pattern is found, and no other. */
 static void test_blocks(void)
 {
 	static const char *const names[] = {"square", "triangular", "cubic", "hexagon", "checker", "brick"};
@@ -132,8 +142,7 @@ static void test_blocks(void)
 		pattern_init(&pattern, pattern_find(names[n]));
 		int seen[6] = {0}, missing = 0;
 		for (int i = 0; i < 4000; i++) {
-			SurfacePoint at = {.p = vec3(random_uniform(1, i, 0) * 20 - 10, random_uniform(1, i, 1) * 20 - 10,
-			                             random_uniform(1, i, 2) * 20 - 10)};
+			SurfacePoint at = {.p = random_point(i)};
 			int entry = (int)pattern_value(&pattern, &at);
 			CHECK(entry >= 0 && entry < pattern.class->list);
 			seen[entry] = 1;
