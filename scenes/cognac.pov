@@ -1,13 +1,13 @@
 // A glass of cognac on a table, and the light it gathers: the classic scene for caustics.
-// Plain POV-Ray 3.7; one unit is a centimetre.
+// Plain POV-Ray 3.7; one unit is a centimetre. Declare=Photon_Count=N for more photons.
 #version 3.7;
 
-#include "colors.inc"
+#ifndef (Photon_Count) #declare Photon_Count = 150000; #end
 
 global_settings {
   assumed_gamma 1.0
   max_trace_level 12
-  photons { count 150000 autostop 0 jitter 0.4 }
+  photons { count Photon_Count autostop 0 jitter 0.4 }
 }
 
 camera {
@@ -83,7 +83,12 @@ box {
   <0.00, 3.26>, <-1.60, 3.60>
 };
 
-// What is in it: the inside, grown by a trifle so that glass and liquid touch without a gap, up to its level.
+// What is in it: the inside, grown by a trifle so that glass and liquid touch without a gap, up to its level. The glass
+// has just been shaken: rings run over the liquid and a second wave crosses them.
+#declare Waves = function(x, z) {
+  6.05 + 0.075 * cos(5.0 * sqrt(pow(x - 0.7, 2) + pow(z + 0.3, 2) + 0.01)) + 0.05 * sin(2.3 * x - 1.6 * z) + 0.04 * x
+};
+
 #declare Filling = intersection {
   lathe {
     cubic_spline
@@ -91,7 +96,12 @@ box {
     <-1.60, 3.59>, <0.00, 3.25>, <1.605, 3.59>, <2.785, 4.33>, <3.605, 5.41>, <3.935, 6.70>, <3.785, 8.18>,
     <2.60, 8.90>, <0.00, 9.00>, <-2.60, 8.90>
   }
-  plane { y, 6.05 }
+  isosurface {
+    function { y - Waves(x, z) }
+    contained_by { box { <-4.4, 2.9, -4.4>, <4.4, 6.5, 4.4> } }
+    max_gradient 1.2
+    accuracy 0.002
+  }
 };
 
 union {

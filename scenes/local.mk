@@ -1,1 +1,18 @@
-EXTRA_DIST += scenes/cognac.pov scenes/cognac.png
+# Scenes of caustics. `make scenes` renders them into pictures/ of the build directory; `make pictures/ring.png` one of them,
+# SCENES_FLAGS='+W640 +H480 Declare=Photon_Count=1000000' better.
+SCENES = cognac crab dragon egg halogen pool pool_night prism ring rings wine
+SCENES_FLAGS = +W320 +H240
+EXTRA_DIST += $(SCENES:%=scenes/%.pov) scenes/cognac.png scenes/dragon.py
+CLEANFILES += pictures/*.png pictures/dragon.inc
+
+scenes: $(SCENES:%=pictures/%.png)
+.PHONY: scenes
+
+pictures/%.png: $(srcdir)/scenes/%.pov cognac$(EXEEXT)
+	@$(MKDIR_P) pictures
+	./cognac +Lpictures $(SCENES_FLAGS) $< +O$@
+
+pictures/dragon.png: pictures/dragon.inc
+pictures/dragon.inc: $(srcdir)/scenes/dragon.py
+	@$(MKDIR_P) pictures
+	python3 $< >$@.new && mv $@.new $@
