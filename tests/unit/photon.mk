@@ -2,3 +2,6 @@
 check_PROGRAMS += tests/unit/test_photon
 tests_unit_test_photon_SOURCES = tests/unit/test_photon.c tests/unit/check.h
 tests_unit_test_photon_LDADD = libphoton.a libbase.a
+check_PROGRAMS += tests/unit/test_relax
+tests_unit_test_relax_SOURCES = tests/unit/test_relax.c tests/unit/check.h
+tests_unit_test_relax_LDADD = libphoton.a libscene.a libbase.a

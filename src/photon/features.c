@@ -1,0 +1,146 @@
+/*
+ * A photon's neighbours, those near in the world among those that left the light near where it left, are one piece of one
+ * sheet. Where the piece ends, the neighbours lie on one side, and the smaller principal component of their places is
+ * less than a disc's. By how much, and whether that is more than chance, says how far the photon may move across the edge.
+ *
+ * As in Spencer & Jones 2013, but: sheets are also told apart by the object and the way there, since a photon reflected and one
+ * refracted may have left the light together; density in parameter space counts the photons that arrived by that way; with fewer
+ * neighbours than asked for, mean and deviation of chance are those of the number found.
+ */
+#include "photon/features.h"
+
+#include <math.h>
+
+#include "base/arena.h"
+
+FeatureAxes feature_axes(const double (*points)[2], int count, double radius)
+{
+	double x = 0, y = 0, xx = 0, xy = 0, yy = 0;
+	for (int i = 0; i < count; i++) {
+		x += points[i][0];
+		y += points[i][1];
+		xx += points[i][0] * points[i][0];
+		xy += points[i][0] * points[i][1];
+		yy += points[i][1] * points[i][1];
+	}
+	if (count == 0 || !(radius > 0))
+		return (FeatureAxes){0, 0, {1, 0}};
+	double per = 1 / (count * radius * radius), mean = 1 / (count * radius);
+	x *= mean;
+	y *= mean;
+	xx = xx * per - x * x;
+	xy = xy * per - x * y;
+	yy = yy * per - y * y;
+	double middle = 0.5 * (xx + yy), half = hypot(0.5 * (xx - yy), xy), angle = 0.5 * atan2(2 * xy, xx - yy);
+	return (FeatureAxes){middle + half, fmax(middle - half, 0), {cos(angle), sin(angle)}};
+}
+
+double feature_freedom(double l2, int count)
+{
+	const double disc = 0.25, half_disc = 0.25 - 16 / (9 * M_PI * M_PI);
+	if (count < 1 || isnan(l2))
+		return 1;
+	l2 = fmin(fmax(l2, half_disc), disc);
+	double migration = sqrt(disc - l2);                                       /* M, SJ13 eq. 2 */
+	double mean = disc - 0.2809 / sqrt(count), deviation = 0.188 / sqrt(count); /* eqs. 5 and 4 */
+	double likelihood = 0.5 * (1 - erf((l2 - mean) / (M_SQRT2 * deviation))); /* Phi, eq. 6 */
+	return fmin(fmax(1 - 0.75 * M_PI * migration * likelihood, 0), 1);
+}
+
+/* ---- density in parameter space ---- */
+
+/* Neighbours that the density around one photon is taken from: its error, an eighth, is half as much in the range. */
+enum { DENSITY_NEIGHBORS = 16 };
+
+typedef struct RangeJob {
+	const PhotonTree *tree;
+	double factor; /* beta^2 Kc */
+} RangeJob;
+
+static void range_run(RelaxSet *set, uint32_t first, uint32_t end, void *data)
+{
+	const RangeJob *job = data;
+	Neighbor near[DENSITY_NEIGHBORS + 1 + 8 * TREE_SLACK];
+	for (uint32_t i = first; i < end; i++) {
+		RelaxPoint *point = &set->points[i];
+		const float *e = point->emitter;
+		EmitterRange range = {{e[0], e[1], e[2]}, INFINITY, point->sheet};
+		NearestQuery query = {{e[0], e[1], e[2]}, INFINITY, DENSITY_NEIGHBORS + 1, &range};
+		int count = photon_tree_nearest(job->tree, &query, near);
+		/* eq. 1 with rho = n / (pi r^2) */
+		if (count == DENSITY_NEIGHBORS + 1)
+			point->range2 = (float)(job->factor * photon_tree_farthest(near, count) / DENSITY_NEIGHBORS);
+	}
+}
+
+static void find_ranges(RelaxSet *set, const Relaxation *settings)
+{
+	const RelaxPoint *points = set->points;
+	TreePoints given = {.position = points->emitter, .emitter = points->emitter, .light = &points->sheet,
+	                    .count = set->count, .stride = sizeof *points};
+	PhotonTree *tree = photon_tree_create(&given);
+	RangeJob job = {tree, settings->range * settings->range * settings->neighbors};
+	relax_set_each(set, range_run, &job);
+	photon_tree_destroy(tree);
+}
+
+/* ---- constraints ---- */
+
+typedef struct FeatureJob {
+	const PhotonTree *tree;
+	int count; /* Kc */
+} FeatureJob;
+
+/* The neighbours in the photon's tangent plane. */
+static int flatten(const RelaxSet *set, uint32_t i, Vec3 u, Vec3 v, const Neighbor *near, int found,
+                   double (*flat)[2])
+{
+	const float *p = set->points[i].position;
+	int count = 0;
+	for (int j = 0; j < found; j++) {
+		if (near[j].index == i)
+			continue;
+		const float *q = set->points[near[j].index].position;
+		Vec3 d = vec3((double)q[0] - p[0], (double)q[1] - p[1], (double)q[2] - p[2]);
+		flat[count][0] = vec3_dot(d, u);
+		flat[count++][1] = vec3_dot(d, v);
+	}
+	return count;
+}
+
+static void set_basis(RelaxBasis *basis, Vec3 u, Vec3 v, double v_length)
+{
+	*basis = (RelaxBasis){{(float)u.x, (float)u.y, (float)u.z}, {(float)v.x, (float)v.y, (float)v.z}, (float)v_length};
+}
+
+static void basis_run(RelaxSet *set, uint32_t first, uint32_t end, void *data)
+{
+	const FeatureJob *job = data;
+	Neighbor near[job->count + 1 + 8 * TREE_SLACK];
+	double flat[job->count + 1][2];
+	for (uint32_t i = first; i < end; i++) {
+		const RelaxPoint *point = &set->points[i];
+		EmitterRange range;
+		relax_set_range(set, RELAX_PARAMETER, i, &range);
+		NearestQuery query = {{point->position[0], point->position[1], point->position[2]}, INFINITY, job->count + 1,
+		                      &range};
+		int found = photon_tree_nearest(job->tree, &query, near);
+		Vec3 u, v, normal = vec3_normalize(vec3(point->normal[0], point->normal[1], point->normal[2]));
+		vec3_frame(normal, &u, &v);
+		int count = flatten(set, i, u, v, near, found, flat);
+		double radius = sqrt(photon_tree_farthest(near, found));
+		FeatureAxes axes = feature_axes((const double (*)[2])flat, count, radius);
+		Vec3 along = vec3_add(vec3_scale(u, axes.u[0]), vec3_scale(v, axes.u[1]));
+		set_basis(&set->bases[i], along, vec3_cross(normal, along), feature_freedom(axes.l2, radius > 0 ? count : 0));
+	}
+}
+
+void features_detect(RelaxSet *set, const Relaxation *settings)
+{
+	find_ranges(set, settings);
+	set->bases = memory_alloc(sizeof *set->bases * ((size_t)set->count + 1));
+	PhotonTree *tree = relax_set_tree(set, RELAX_PARAMETER);
+	FeatureJob job = {tree, settings->neighbors};
+	relax_set_each(set, basis_run, &job);
+	photon_tree_destroy(tree);
+}

@@ -1,0 +1,232 @@
+/*
+ * The iterations. Every photon's step follows from where all stood before, so the result depends on no order.
+ *
+ * Beside SJ13 eqs. 8 and 9: neighbours are photons on the same side of the same object with about the same flux
+ * (relax_set.c); a step is at most half the kernel's radius, which noise alone does not reach; lists of neighbours are looked
+ * up again only every few iterations, since a photon moves less than its neighbours lie apart.
+ */
+#include "photon/relax.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "base/arena.h"
+#include "base/clock.h"
+#include "photon/features.h"
+
+#if defined(__x86_64__) && defined(__GNUC__) && !defined(__SANITIZE_ADDRESS__)
+#define CLONES __attribute__((target_clones("avx2", "default")))
+#else
+#define CLONES
+#endif
+
+/* Iterations that share a set of lists. */
+enum { REFRESH = 3 };
+
+/* ---- one photon's step ---- */
+
+typedef struct Force {
+	float at[3], radius; /* radius: distance of the farthest that pushes */
+} Force;
+
+/* SJ13 eq. 8. */
+static inline Force force_on(const RelaxSet *set, uint32_t i)
+{
+	const float *p = set->points[i].position;
+	const uint32_t *row = set->lists.index + (size_t)i * (size_t)set->lists.most;
+	int count = set->lists.counts[i];
+	float dx[RELAX_MOST], dy[RELAX_MOST], dz[RELAX_MOST], distance[RELAX_MOST], radius = 0;
+	for (int j = 0; j < count; j++) {
+		const float *q = set->points[row[j]].position;
+		dx[j] = p[0] - q[0];
+		dy[j] = p[1] - q[1];
+		dz[j] = p[2] - q[2];
+	}
+	for (int j = 0; j < count; j++)
+		distance[j] = sqrtf(dx[j] * dx[j] + dy[j] * dy[j] + dz[j] * dz[j]);
+	for (int j = 0; j < count; j++)
+		radius = distance[j] > radius ? distance[j] : radius;
+	Force f = {{0, 0, 0}, radius};
+	const float tiny = 1e-20f; /* epsilon: two photons at one place do not push each other */
+	for (int j = 0; j < count; j++) {
+		float push = (radius / (distance[j] + tiny) - 1) / (float)count;
+		f.at[0] += dx[j] * push;
+		f.at[1] += dy[j] * push;
+		f.at[2] += dz[j] * push;
+	}
+	return f;
+}
+
+static inline float dot(const float a[3], const float b[3])
+{
+	return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
+/* SJ13 eq. 9, or without constraints what lies in the tangent plane. */
+static inline void constrain(const RelaxSet *set, uint32_t i, Force *f)
+{
+	if (!set->bases) {
+		const float *n = set->points[i].normal;
+		float out = dot(f->at, n);
+		for (int k = 0; k < 3; k++)
+			f->at[k] -= out * n[k];
+		return;
+	}
+	const RelaxBasis *b = &set->bases[i];
+	float along = dot(f->at, b->u), across = b->v_length * dot(f->at, b->v);
+	for (int k = 0; k < 3; k++)
+		f->at[k] = along * b->u[k] + across * b->v[k];
+}
+
+static inline void limit(Force *f)
+{
+	float length = sqrtf(dot(f->at, f->at)), most = 0.5f * f->radius;
+	float scale = length > most ? most / length : 1;
+	for (int k = 0; k < 3; k++)
+		f->at[k] *= scale;
+}
+
+/* Where a photon goes to. */
+typedef struct Step {
+	float position[3], normal[3];
+} Step;
+
+static void stay(const RelaxPoint *point, Step *step)
+{
+	memcpy(step->position, point->position, sizeof step->position);
+	memcpy(step->normal, point->normal, sizeof step->normal);
+}
+
+static void put(float to[3], Vec3 v)
+{
+	to[0] = (float)v.x;
+	to[1] = (float)v.y;
+	to[2] = (float)v.z;
+}
+
+/* Onto the surface, or back to where the photon was if there is none. */
+static void project(const RelaxSet *set, const RelaxPoint *point, float length, Step *step)
+{
+	RelaxPlace place = {point->object, vec3(step->position[0], step->position[1], step->position[2]),
+	                    vec3(step->normal[0], step->normal[1], step->normal[2])};
+	if (!set->surfaces->project(set->surfaces->data, &place, length)) {
+		stay(point, step);
+		return;
+	}
+	put(step->position, place.position);
+	put(step->normal, place.normal);
+}
+
+CLONES static void step_run(RelaxSet *set, uint32_t first, uint32_t end, void *data)
+{
+	Step *steps = data;
+	for (uint32_t i = first; i < end; i++) {
+		const RelaxPoint *point = &set->points[i];
+		Force f = force_on(set, i);
+		constrain(set, i, &f);
+		limit(&f);
+		stay(point, &steps[i]);
+		for (int k = 0; k < 3; k++)
+			steps[i].position[k] += f.at[k];
+		float length = sqrtf(dot(f.at, f.at));
+		if (set->surfaces->project && length > 0)
+			project(set, point, length, &steps[i]);
+	}
+}
+
+static void move_run(RelaxSet *set, uint32_t first, uint32_t end, void *data)
+{
+	const Step *steps = data;
+	for (uint32_t i = first; i < end; i++) {
+		memcpy(set->points[i].position, steps[i].position, sizeof steps[i].position);
+		memcpy(set->points[i].normal, steps[i].normal, sizeof steps[i].normal);
+	}
+}
+
+/* ---- all ---- */
+
+static void iterate(RelaxSet *set, const Relaxation *settings, RelaxSpace space, int iterations)
+{
+	Step *steps = memory_alloc(sizeof *steps * ((size_t)set->count + 1));
+	for (int i = 0; i < iterations; i++) {
+		if (i % REFRESH == 0)
+			relax_lists_fill(set, space, settings->repulsion_neighbors);
+		relax_set_each(set, step_run, steps);
+		relax_set_each(set, move_run, steps);
+	}
+	free(steps);
+}
+
+static void note_movement(const RelaxSet *set, const PhotonMap *map, RelaxStatistics *statistics)
+{
+	double sum = 0, freedom = 0;
+	for (uint32_t i = 0; i < set->count; i++) {
+		const float *p = set->points[i].position, *q = map->photons[set->points[i].photon].position;
+		sum += sqrt(pow((double)p[0] - q[0], 2) + pow((double)p[1] - q[1], 2) + pow((double)p[2] - q[2], 2));
+		freedom += set->bases ? set->bases[i].v_length : 1;
+	}
+	statistics->moved = set->count;
+	statistics->mean_movement = set->count ? sum / set->count : 0;
+	statistics->mean_constraint = set->count ? freedom / set->count : 1;
+}
+
+/* Photons that took no part move as freely as any. */
+static void note_constraints(const RelaxSet *set, PhotonMap *map)
+{
+	map->constraint = memory_resize(map->constraint, sizeof *map->constraint * ((size_t)map->count + 1));
+	for (uint32_t i = 0; i < map->count; i++)
+		map->constraint[i] = 1;
+	for (uint32_t i = 0; i < set->count; i++)
+		map->constraint[set->points[i].photon] = set->bases[i].v_length;
+}
+
+/* Numbers that no scene should ask for, made harmless. */
+static Relaxation sensible(Relaxation s)
+{
+	s.neighbors = s.neighbors < 3 ? 3 : s.neighbors < 1000 ? s.neighbors : 1000;
+	s.repulsion_neighbors = s.repulsion_neighbors < 1 ? 1 : s.repulsion_neighbors < RELAX_MOST ? s.repulsion_neighbors : RELAX_MOST;
+	s.range = s.range > 0 ? s.range : 3;
+	return s;
+}
+
+static void relax_points(RelaxSet *set, const Relaxation *settings, RelaxStatistics *statistics)
+{
+	double start = clock_wall();
+	if (settings->constrained)
+		features_detect(set, settings);
+	double detected = clock_wall();
+	if (settings->constrained) {
+		iterate(set, settings, RELAX_PARAMETER, settings->parameter_iterations);
+		iterate(set, settings, RELAX_WORLD, settings->world_iterations);
+	} else {
+		iterate(set, settings, RELAX_WORLD, settings->parameter_iterations + settings->world_iterations);
+	}
+	statistics->feature_seconds = detected - start;
+	statistics->seconds = clock_wall() - detected;
+}
+
+bool photon_relax(PhotonMap *map, const Relaxation *settings, const RelaxSurfaces *surfaces, RelaxStatistics *statistics)
+{
+	RelaxStatistics own;
+	RelaxSet set;
+	if (!statistics)
+		statistics = &own;
+	*statistics = (RelaxStatistics){.mean_constraint = 1};
+	if (!settings->on || map->count == 0)
+		return false;
+	Relaxation s = sensible(*settings);
+	relax_set_init(&set, map, surfaces);
+	if (set.count > 0) {
+		relax_points(&set, &s, statistics);
+		note_movement(&set, map, statistics);
+		if (s.constrained)
+			note_constraints(&set, map);
+		relax_set_store(&set, map);
+	}
+	bool moved = set.count > 0;
+	relax_set_free(&set);
+	photon_tree_destroy(map->tree);
+	map->tree = NULL;
+	return moved;
+}

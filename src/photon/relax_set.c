@@ -1,0 +1,227 @@
+#include "photon/relax_set.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "base/arena.h"
+#include "base/parallel.h"
+#include "base/random.h"
+
+/* ---- the working copy ---- */
+
+static bool takes_part(const Photon *photon, const RelaxSurfaces *surfaces)
+{
+	if (surfaces->fixed && photon->object < surfaces->fixed_count && surfaces->fixed[photon->object])
+		return false;
+	return isfinite(photon->position[0]) && isfinite(photon->position[1]) && isfinite(photon->position[2]);
+}
+
+static uint16_t sheet_of(const Photon *photon)
+{
+	return (uint16_t)random_bits((uint64_t)photon->light, photon->object, photon->path);
+}
+
+static RelaxPoint make_point(const Photon *photon, uint32_t number)
+{
+	RelaxPoint point = {.photon = number, .sheet = sheet_of(photon), .object = photon->object,
+	                    .gray = rgb_gray(photon_flux(photon)), .range2 = INFINITY};
+	Vec3 normal = photon_normal(photon);
+	memcpy(point.position, photon->position, sizeof point.position);
+	memcpy(point.emitter, photon->emitter, sizeof point.emitter);
+	point.normal[0] = (float)normal.x;
+	point.normal[1] = (float)normal.y;
+	point.normal[2] = (float)normal.z;
+	return point;
+}
+
+static void sort_points(RelaxSet *set)
+{
+	uint32_t *order = memory_alloc(sizeof *order * ((size_t)set->count + 1));
+	RelaxPoint *sorted = memory_alloc(sizeof *sorted * ((size_t)set->count + 1));
+	photon_tree_morton(set->points->position, set->count, sizeof *set->points, order);
+	for (uint32_t i = 0; i < set->count; i++)
+		sorted[i] = set->points[order[i]];
+	free(order);
+	free(set->points);
+	set->points = sorted;
+}
+
+/* The normals kept in photons are coarse: two and a half degrees. The surfaces know better. */
+static void settle_normals(RelaxSet *set, uint32_t first, uint32_t end, void *data)
+{
+	(void)data;
+	for (uint32_t i = first; i < end; i++) {
+		RelaxPoint *point = &set->points[i];
+		float *p = point->position, *n = point->normal;
+		RelaxPlace place = {point->object, vec3(p[0], p[1], p[2]), vec3(n[0], n[1], n[2])};
+		if (!set->surfaces->project(set->surfaces->data, &place, 0))
+			continue;
+		n[0] = (float)place.normal.x;
+		n[1] = (float)place.normal.y;
+		n[2] = (float)place.normal.z;
+	}
+}
+
+void relax_set_init(RelaxSet *set, const PhotonMap *map, const RelaxSurfaces *surfaces)
+{
+	*set = (RelaxSet){.points = memory_alloc(sizeof(RelaxPoint) * ((size_t)map->count + 1)), .surfaces = surfaces};
+	for (uint32_t i = 0; i < map->count; i++) {
+		if (!takes_part(&map->photons[i], surfaces))
+			continue;
+		set->points[set->count++] = make_point(&map->photons[i], i);
+		set->objects |= map->photons[i].object != set->points[0].object;
+	}
+	sort_points(set);
+	if (surfaces->project)
+		relax_set_each(set, settle_normals, NULL);
+}
+
+void relax_set_free(RelaxSet *set)
+{
+	free(set->points);
+	free(set->bases);
+	free(set->lists.index);
+	free(set->lists.counts);
+}
+
+void relax_set_store(const RelaxSet *set, PhotonMap *map)
+{
+	for (uint32_t i = 0; i < set->count; i++) {
+		const RelaxPoint *point = &set->points[i];
+		Photon *photon = &map->photons[point->photon];
+		memcpy(photon->position, point->position, sizeof photon->position);
+		if (set->surfaces->project)
+			photon_set_normal(photon, vec3(point->normal[0], point->normal[1], point->normal[2]));
+	}
+}
+
+/* ---- runs ---- */
+
+enum { RUN = 1024 };
+
+typedef struct EachJob {
+	RelaxSet *set;
+	RelaxRun *run;
+	void *data;
+} EachJob;
+
+static void each_run(void *data, long item, int thread)
+{
+	(void)thread;
+	const EachJob *job = data;
+	uint32_t first = (uint32_t)item * RUN, left = job->set->count - first;
+	job->run(job->set, first, first + (left < RUN ? left : RUN), job->data);
+}
+
+void relax_set_each(RelaxSet *set, RelaxRun *run, void *data)
+{
+	EachJob job = {set, run, data};
+	parallel_for((set->count + (long)RUN - 1) / RUN, 1, each_run, &job);
+}
+
+/* ---- neighbours ---- */
+
+PhotonTree *relax_set_tree(const RelaxSet *set, RelaxSpace space)
+{
+	const RelaxPoint *points = set->points;
+	TreePoints tree = {.position = points->position, .count = set->count, .stride = sizeof *points};
+	if (space == RELAX_PARAMETER || set->objects) {
+		tree.emitter = points->emitter;
+		tree.light = space == RELAX_PARAMETER ? &points->sheet : &points->object;
+	}
+	return photon_tree_create(&tree);
+}
+
+bool relax_set_range(const RelaxSet *set, RelaxSpace space, uint32_t point, EmitterRange *range)
+{
+	const RelaxPoint *p = &set->points[point];
+	bool parameter = space == RELAX_PARAMETER;
+	*range = (EmitterRange){{p->emitter[0], p->emitter[1], p->emitter[2]}, parameter ? p->range2 : INFINITY,
+	                        parameter ? p->sheet : p->object};
+	return parameter || set->objects;
+}
+
+/* cosine of 45 degrees: beyond an edge or on the other side is another surface. */
+static const float SAME_SIDE = 0.7f;
+
+/*
+ * Photons of very different flux do not push each other. Pushed together, each kind alone keeps its noise, as any
+ * random part of an even pattern does, and the few bright ones make the noise that is seen. Each kind pushed apart on its own is
+ * even, and so is the sum. Photons of several lights with like flux are one pattern, which is the more even for it.
+ */
+static bool repels(const RelaxPoint *a, const RelaxPoint *b)
+{
+	float along = a->normal[0] * b->normal[0] + a->normal[1] * b->normal[1] + a->normal[2] * b->normal[2];
+	return along >= SAME_SIDE && a->gray <= 2 * b->gray && b->gray <= 2 * a->gray;
+}
+
+static void drop_farthest(Neighbor *near, int *count)
+{
+	int worst = 0;
+	for (int i = 1; i < *count; i++) {
+		if (near[i].distance2 > near[worst].distance2 ||
+		    (near[i].distance2 == near[worst].distance2 && near[i].index > near[worst].index))
+			worst = i;
+	}
+	near[worst] = near[--*count];
+}
+
+typedef struct FillJob {
+	const PhotonTree *tree;
+	RelaxSpace space;
+	int widest; /* the most that is asked for when many found do not repel */
+} FillJob;
+
+/* The neighbours among `asked` nearest that repel the point; *met: how many were found at all. */
+static int find_repelling(const RelaxSet *set, const FillJob *job, uint32_t i, int asked, Neighbor *near, int *met)
+{
+	const RelaxPoint *point = &set->points[i];
+	EmitterRange range;
+	bool ranged = relax_set_range(set, job->space, i, &range);
+	NearestQuery query = {{point->position[0], point->position[1], point->position[2]}, INFINITY, asked,
+	                      ranged ? &range : NULL};
+	*met = photon_tree_nearest(job->tree, &query, near);
+	int kept = 0;
+	for (int j = 0; j < *met; j++) {
+		if (near[j].index != i && repels(point, &set->points[near[j].index]))
+			near[kept++] = near[j];
+	}
+	return kept;
+}
+
+static void fill_run(RelaxSet *set, uint32_t first, uint32_t end, void *data)
+{
+	const FillJob *job = data;
+	int most = set->lists.most;
+	Neighbor near[job->widest + 8 * TREE_SLACK];
+	for (uint32_t i = first; i < end; i++) {
+		int asked = most + 1, met, count = find_repelling(set, job, i, asked, near, &met);
+		while (count < most && met == asked && asked < job->widest) {
+			asked = 2 * asked < job->widest ? 2 * asked : job->widest;
+			count = find_repelling(set, job, i, asked, near, &met);
+		}
+		while (count > most)
+			drop_farthest(near, &count);
+		set->lists.counts[i] = (uint8_t)count;
+		uint32_t *row = set->lists.index + (size_t)i * (size_t)most;
+		for (int j = 0; j < count; j++)
+			row[j] = near[j].index;
+	}
+}
+
+void relax_lists_fill(RelaxSet *set, RelaxSpace space, int most)
+{
+	RelaxLists *lists = &set->lists;
+	if (lists->most != most || !lists->index) {
+		free(lists->index);
+		free(lists->counts);
+		lists->index = memory_alloc(sizeof *lists->index * (size_t)most * ((size_t)set->count + 1));
+		lists->counts = memory_alloc((size_t)set->count + 1);
+		lists->most = most;
+	}
+	PhotonTree *tree = relax_set_tree(set, space);
+	FillJob job = {tree, space, 4 * (most + 1)};
+	relax_set_each(set, fill_run, &job);
+	photon_tree_destroy(tree);
+}

@@ -1,0 +1,63 @@
+/*
+ * The photons under relaxation: a working copy along a space-filling curve, so that neighbours lie near in memory, the trees
+ * over it and the lists of neighbours that repel. Inside the room only.
+ */
+#ifndef PHOTON_RELAX_SET_H
+#define PHOTON_RELAX_SET_H
+
+#include "photon/relax.h"
+
+typedef struct RelaxPoint {
+	float position[3];
+	float gray;        /* flux */
+	float emitter[3];
+	float range2;      /* square of the search range in parameter space, SJ13 eq. 1 */
+	float normal[3];
+	uint32_t photon;   /* number in the map */
+	uint16_t sheet;    /* hash of light, object and way: photons of one sheet of the caustic have the same */
+	uint16_t object;
+} RelaxPoint;
+
+/* How a photon may move: freely along u, by v_length of the force along v; both unit and tangent to the surface. */
+typedef struct RelaxBasis {
+	float u[3], v[3], v_length;
+} RelaxBasis;
+
+/* The points that push each one: rows of `most` indices, the first counts[i] of them used. */
+typedef struct RelaxLists {
+	uint32_t *index;
+	uint8_t *counts;
+	int most; /* at most RELAX_MOST */
+} RelaxLists;
+
+enum { RELAX_MOST = 255 };
+
+typedef struct RelaxSet {
+	RelaxPoint *points;
+	RelaxBasis *bases;  /* NULL: unconstrained */
+	uint32_t count;
+	bool objects;       /* on more than one object */
+	RelaxLists lists;
+	const RelaxSurfaces *surfaces;
+} RelaxSet;
+
+/* What makes two points neighbours besides lying near in world space. */
+typedef enum RelaxSpace { RELAX_PARAMETER, RELAX_WORLD } RelaxSpace;
+
+/* All photons but those on fixed objects, and those whose place is no number. */
+void relax_set_init(RelaxSet *set, const PhotonMap *map, const RelaxSurfaces *surfaces);
+void relax_set_free(RelaxSet *set);
+/* Positions and normals back to the photons they belong to. */
+void relax_set_store(const RelaxSet *set, PhotonMap *map);
+
+PhotonTree *relax_set_tree(const RelaxSet *set, RelaxSpace space);
+/* Among whom a point looks for neighbours in such a tree; false: among all. */
+bool relax_set_range(const RelaxSet *set, RelaxSpace space, uint32_t point, EmitterRange *range);
+/* Fills in the lists with up to `most` neighbours on the same side of the same object. */
+void relax_lists_fill(RelaxSet *set, RelaxSpace space, int most);
+
+/* body(set, first, end, thread) over runs of all points, in parallel. */
+typedef void RelaxRun(RelaxSet *set, uint32_t first, uint32_t end, void *data);
+void relax_set_each(RelaxSet *set, RelaxRun *run, void *data);
+
+#endif
