@@ -3,6 +3,8 @@
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
+#include <string.h>
+#include <strings.h>
 
 #include "image/image.h"
 #include "lang/build_pattern.h"
@@ -46,7 +48,8 @@ static void image_encode(Image *image, double gamma)
 /* What a block says about its file's values. */
 typedef struct ImageGamma {
 	bool given;
-	double gamma; /* negative: sRGB */
+	double gamma;    /* negative: sRGB */
+	double fallback; /* for a file that says nothing: 0 sRGB, 1 linear */
 } ImageGamma;
 
 static void decode(const Context *context, Image *image, Word kind, ImageGamma file)
@@ -59,7 +62,7 @@ static void decode(const Context *context, Image *image, Word kind, ImageGamma f
 	}
 	if ((data || working == 0) && !file.given)
 		return;
-	image_linearize(image, 0);
+	image_linearize(image, file.fallback);
 	if (!data && working != 1 && working != 0)
 		image_encode(image, working);
 }
@@ -197,17 +200,29 @@ static bool take_image_modifier(Cursor *inside, ImageMap *map, double *bump_size
 	return true;
 }
 
+/* POV-Ray takes PPM, PGM and TIFF for linear light when they do not say otherwise, all other kinds for sRGB. */
+static double fallback_gamma(Word type, const char *name)
+{
+	const char *suffix = strrchr(name, '.');
+	if (type != W_NONE || !suffix)
+		return type == W_ppm || type == W_pgm || type == W_tiff;
+	return !strcasecmp(suffix, ".ppm") || !strcasecmp(suffix, ".pgm") || !strncasecmp(suffix, ".tif", 4);
+}
+
 /* [type] "name" [gamma G] */
 static Image *take_file(Cursor *inside, Word kind)
 {
 	Context *context = inside->context;
 	const char *name = NULL;
-	if (is_image_type(cursor_peek_word(inside)))
+	Word type = cursor_peek_word(inside);
+	if (is_image_type(type))
 		cursor_next(inside);
+	else
+		type = W_NONE;
 	Location where = cursor_where(inside);
 	if (!cursor_take_string(inside, &name))
 		return NULL;
-	ImageGamma file = {false, 0};
+	ImageGamma file = {false, 0, fallback_gamma(type, name)};
 	if (cursor_accept_word(inside, W_gamma))
 		take_gamma(inside, &file);
 	Image *image = read_image(context, name, where);
