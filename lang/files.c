@@ -3,6 +3,8 @@
 #include <ctype.h>
 #include <errno.h>
 #include <limits.h>
+#include <math.h>
+#include <stdint.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -232,12 +234,18 @@ bool files_read(Context *context, SceneFile *file, Value *out, Location where)
 
 /* ---- writing ---- */
 
+static bool may_be_written(Context *context, const SceneFile *file, Location where)
+{
+	bool open = file->stream && file->mode != FILE_READ;
+	if (!open)
+		diag_error(context->diag, where, "'%s' is not open for writing", file->path);
+	return open;
+}
+
 void files_write(Context *context, SceneFile *file, Value value, Location where)
 {
-	if (!file->stream || file->mode == FILE_READ) {
-		diag_error(context->diag, where, "'%s' is not open for writing", file->path);
+	if (!may_be_written(context, file, where))
 		return;
-	}
 	if (value.kind == VALUE_STRING) {
 		fputs(value.string, file->stream);
 	} else if (value.kind == VALUE_FLOAT) {
@@ -248,5 +256,48 @@ void files_write(Context *context, SceneFile *file, Value value, Location where)
 		fputs("> ", file->stream);
 	} else {
 		diag_error(context->diag, where, "'#write' takes strings, floats and vectors, found %s", value_describe(value));
+	}
+}
+
+struct FileInteger {
+	Word word;
+	int bytes;
+	bool is_signed, big_endian;
+};
+
+const FileInteger *files_integer(Word word)
+{
+	static const FileInteger rows[] = {
+		{W_uint8, 1, false, false}, {W_sint8, 1, true, false}, {W_uint16be, 2, false, true},
+		{W_uint16le, 2, false, false}, {W_sint16be, 2, true, true}, {W_sint16le, 2, true, false},
+		{W_sint32be, 4, true, true}, {W_sint32le, 4, true, false},
+	};
+	for (size_t i = 0; i < sizeof rows / sizeof *rows; i++)
+		if (rows[i].word == word)
+			return &rows[i];
+	return NULL;
+}
+
+static void write_integer(FILE *stream, const FileInteger *format, double number)
+{
+	double values = ldexp(1, 8 * format->bytes);
+	double low = format->is_signed ? -values / 2 : 0;
+	uint64_t bits = (uint64_t)(int64_t)floor(fmin(fmax(number, low), low + values - 1) + 0.5);
+	for (int i = 0; i < format->bytes; i++)
+		putc((int)(bits >> (8 * (format->big_endian ? format->bytes - 1 - i : i)) & 0xff), stream);
+}
+
+void files_write_integer(Context *context, SceneFile *file, const FileInteger *format, Value value, Location where)
+{
+	if (!may_be_written(context, file, where))
+		return;
+	if (value.kind == VALUE_FLOAT) {
+		write_integer(file->stream, format, value.number);
+	} else if (value_is_numeric(value)) {
+		for (int i = 0; i < value.size; i++)
+			write_integer(file->stream, format, value.v[i]);
+	} else {
+		diag_error(context->diag, where, "'%s' takes floats and vectors, found %s", word_text(format->word),
+		           value_describe(value));
 	}
 }

@@ -9,6 +9,7 @@
 
 #include "lang/context.h"
 #include "lang/value.h"
+#include "lang/word.h"
 
 typedef enum FileMode { FILE_READ, FILE_WRITE, FILE_APPEND } FileMode;
 
@@ -20,6 +21,12 @@ bool files_read(Context *context, SceneFile *file, Value *out, Location where);
 bool files_at_end(SceneFile *file);
 /* One argument of #write: floats in %g form, vectors in angle brackets, strings as they are. */
 void files_write(Context *context, SceneFile *file, Value value, Location where);
+/* How #write makes an integer of so many bytes: uint8, sint16be ... */
+typedef struct FileInteger FileInteger;
+/* NULL when the word names none. */
+const FileInteger *files_integer(Word word);
+/* A float or each component of a vector, rounded to the nearest integer in range, two's complement. */
+void files_write_integer(Context *context, SceneFile *file, const FileInteger *format, Value value, Location where);
 void files_close(SceneFile *file);
 /* Closes what `#fopen` left open; the reader calls it at the end of the parse. */
 void files_close_all(Context *context);

@@ -153,18 +153,24 @@ static void draft_take_point(SplineDraft *draft, Cursor *cursor)
 	draft_add(draft, point);
 }
 
+/* False when the word is no kind of spline. */
+static bool kind_of(Word word, SplineKind *kind)
+{
+	switch (word) {
+	case W_linear_spline: *kind = SPLINE_LINEAR; return true;
+	case W_quadratic_spline: *kind = SPLINE_QUADRATIC; return true;
+	case W_cubic_spline: *kind = SPLINE_CUBIC; return true;
+	case W_natural_spline: *kind = SPLINE_NATURAL; return true;
+	default: return false;
+	}
+}
+
 static bool draft_take_kind(SplineDraft *draft, Cursor *cursor)
 {
-	static const struct { Word word; SplineKind kind; } kinds[] = {
-		{W_linear_spline, SPLINE_LINEAR}, {W_quadratic_spline, SPLINE_QUADRATIC},
-		{W_cubic_spline, SPLINE_CUBIC}, {W_natural_spline, SPLINE_NATURAL},
-	};
-	for (size_t i = 0; i < sizeof kinds / sizeof kinds[0]; i++)
-		if (cursor_accept_word(cursor, kinds[i].word)) {
-			draft->kind = kinds[i].kind;
-			return true;
-		}
-	return false;
+	if (!kind_of(cursor_peek_word(cursor), &draft->kind))
+		return false;
+	cursor_next(cursor);
+	return true;
 }
 
 static bool draft_take_spline(SplineDraft *draft, Cursor *cursor)
@@ -184,11 +190,9 @@ static const Spline *draft_finish(SplineDraft *draft)
 	Context *context = draft->context;
 	Arena *arena = context->builder->arena;
 	Spline *spline = ARENA_NEW(arena, Spline);
-	if (draft->kind == SPLINE_NATURAL) {
-		double *factor = ARENA_ARRAY(context->parse, double, draft->count);
-		for (int k = 0; k < draft->size; k++)
-			solve_natural(draft->points, draft->count, k, factor);
-	}
+	double *factor = ARENA_ARRAY(context->parse, double, draft->count);
+	for (int k = 0; k < draft->size; k++)
+		solve_natural(draft->points, draft->count, k, factor);
 	spline->kind = draft->kind;
 	spline->size = draft->size;
 	spline->count = draft->count;
@@ -213,4 +217,18 @@ Value spline_build(Context *context, const Node *block)
 		return value_none();
 	}
 	return (Value){.kind = VALUE_SPLINE, .spline = draft_finish(&draft)};
+}
+
+Value spline_as(Context *context, Value spline, Word kind, Location where)
+{
+	SplineKind wanted;
+	if (spline.kind != VALUE_SPLINE || !kind_of(kind, &wanted)) {
+		diag_error(context->diag, where, "unexpected '%s'", word_text(kind));
+		return spline;
+	}
+	if (spline.spline->kind == wanted)
+		return spline;
+	Spline *copy = arena_copy(context->builder->arena, spline.spline, sizeof *copy);
+	copy->kind = wanted;
+	return (Value){.kind = VALUE_SPLINE, .spline = copy};
 }

@@ -14,7 +14,7 @@ typedef enum SplineKind { SPLINE_LINEAR, SPLINE_QUADRATIC, SPLINE_CUBIC, SPLINE_
 typedef struct SplinePoint {
 	double at;
 	double value[5];
-	double second[5]; /* natural splines: the second derivative */
+	double second[5]; /* the second derivative if the spline is natural */
 } SplinePoint;
 
 struct Spline {
@@ -26,6 +26,9 @@ struct Spline {
 
 /* The nodes inside `spline { ... }`. VALUE_NONE after a reported error. */
 Value spline_build(Context *context, const Node *block);
+/* The spline with its points joined in another way, as `S(t, cubic_spline)` asks; reports when it is none or the word no kind of
+ * spline, and gives back the value. */
+Value spline_as(Context *context, Value spline, Word kind, Location where);
 /* Components beyond size are 0. */
 void spline_eval(const Spline *spline, double at, double out[5]);
 

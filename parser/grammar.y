@@ -3,7 +3,8 @@
  * with another start token for what they hold. Each start rule ends without looking ahead where the language allows it, and
  * gives back the token it read ahead where not.
  *
- * As in POV-Ray, `<` compares inside parentheses only, and opens a vector elsewhere.
+ * As in POV-Ray, `<` compares inside parentheses only, and opens a vector elsewhere. `&` and `|` are taken from left to
+ * right, but for function bodies, where `&` binds tighter (measured).
  */
 %require "3.8"
 %expect 0
@@ -21,6 +22,7 @@
 
 %code {
 #include "lang/function.h"
+#include "lang/spline.h"
 
 #define YYINITDEPTH 60
 #define YYMAXDEPTH 4000
@@ -85,19 +87,20 @@ static inline Value opaque_black(void) { return (Value){.kind = VALUE_COLOR, .si
 %token <value> VALUE ITEM CALLABLE
 %token <word> WORD TEXTURE CALL TRACE SUM INTERNAL COLOR PART FIRST_PART
 %token <text> MEMBER
+%token XYZ TIGHT_AND /* & inside function bodies */
 %token FUNCTION FUNCTION_ITEM FUNCTION_SIZED ARRAY
 %token LESS_EQUAL "'<='" GREATER_EQUAL "'>='" NOT_EQUAL "'!='"
 %token INVALID
 
 %type <value> expression condition string thing array function element_value call
 %type <nodes> nodes elements textures
-%type <node> node block texture braces entry element function_body
+%type <node> node block texture braces entry term element function_body
 %type <run> components arguments sizes
 %type <word> plain
 
 %right '?' ':'
-%left '|'
-%left '&'
+%left '|' '&'
+%left TIGHT_AND
 %left '=' NOT_EQUAL '<' '>' LESS_EQUAL GREATER_EQUAL
 %precedence LOW
 %precedence TEXTURE '{'
@@ -112,6 +115,11 @@ static inline Value opaque_black(void) { return (Value){.kind = VALUE_COLOR, .si
 start:
 	  S_ITEM block                          { reader->frame->nodes = $2; FINISH(); }
 	| S_ITEM texture                        { reader->frame->nodes = $2; FINISH(); }
+	| S_ITEM WORD expression                { /* a setting of old versions: max_trace_level 5 */
+		reader->frame->nodes = tree_word(reader, NODE_WORD, $2, NULL, @2);
+		reader->frame->nodes->next = tree_expression(reader, $3, @3);
+		FINISH();
+	  }
 	| S_ITEM                                {
 		if (yychar != READER_YYEOF) {
 			frame_syntax_error(reader, yylloc, NULL, NULL);
@@ -146,6 +154,7 @@ node:
 	| block
 	| texture
 	| entry
+	| term
 	| function                              {
 		Node *value = tree_value(reader, NODE_ITEM, $1, @1);
 		$$ = tree_word(reader, NODE_BLOCK, W_function, value, @1);
@@ -169,6 +178,16 @@ braces:
 	;
 
 entry: '[' nodes ']'                            { $$ = tree_word(reader, NODE_ENTRY, W_NONE, $2.first, @1); };
+
+term:
+	  XYZ '(' condition ',' condition ',' condition ')' ':' expression %prec LOW {
+		Node *powers = tree_value(reader, NODE_VALUE, $3, @3);
+		powers->next = tree_value(reader, NODE_VALUE, $5, @5);
+		powers->next->next = tree_value(reader, NODE_VALUE, $7, @7);
+		powers->next->next->next = tree_value(reader, NODE_VALUE, $10, @10);
+		$$ = tree_word(reader, NODE_ENTRY, W_NONE, powers, @1);
+	  }
+	;
 
 textures:
 	  texture                               { $$ = tree_append((NodeList){0}, $1); }
@@ -229,6 +248,10 @@ call:
 	| CALLABLE '(' arguments ')'            {
 		$$ = expression_apply(&reader->context, $1, run_values(reader, $3), $3.count, @1);
 	  }
+	| CALLABLE '(' arguments ',' WORD ')'   {
+		Value spline = spline_as(&reader->context, $1, $5, @5);
+		$$ = expression_apply(&reader->context, spline, run_values(reader, $3), $3.count, @1);
+	  }
 	| CALLABLE '(' ')'                      { $$ = expression_apply(&reader->context, $1, NULL, 0, @1); }
 	| TRACE '(' arguments ')'               { $$ = tree_trace(reader, $3, @1); }
 	| SUM condition ',' condition ',' condition ')' {
@@ -281,6 +304,7 @@ condition:
 	| condition '=' condition               { $$ = binary(reader, OP_EQUAL, $1, $3, @2); }
 	| condition NOT_EQUAL condition         { $$ = binary(reader, OP_NOT_EQUAL, $1, $3, @2); }
 	| condition '&' condition               { $$ = binary(reader, OP_AND, $1, $3, @2); }
+	| condition TIGHT_AND condition         { $$ = binary(reader, OP_AND, $1, $3, @2); }
 	| condition '|' condition               { $$ = binary(reader, OP_OR, $1, $3, @2); }
 	| condition '?' condition ':' condition {
 		$$ = expression_conditional(&reader->context, $1, $3, $5, @2);

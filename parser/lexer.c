@@ -13,6 +13,7 @@ static int word_token(Reader *reader, Word word, Semantic *value)
 	switch (word) {
 	case W_texture: return TEXTURE;
 	case W_array: return ARRAY;
+	case W_xyz: return XYZ;
 	case W_function: return function_header(reader);
 	case W_internal: return reader->function_depth > 0 ? INTERNAL : WORD;
 	default: return WORD;
@@ -226,7 +227,7 @@ static int sign_token(Reader *reader, const Token *token, Semantic *value)
 		value->text = next->name->text;
 		return MEMBER;
 	}
-	return token->code;
+	return token->code == '&' && reader->function_depth > 0 ? TIGHT_AND : token->code;
 }
 
 static int bad_token(Reader *reader, const Token *token, Semantic *value, Location where)

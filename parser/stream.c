@@ -98,22 +98,54 @@ static void run_read(Reader *reader)
 	}
 }
 
+/* uint8, sint16le...: how the values up to the next comma are written; NULL when none of these words is next. */
+static const FileInteger *read_integer_format(Reader *reader)
+{
+	const Token *token = source_peek(reader, 0);
+	const FileInteger *format = !reader->has_ahead && token && token->kind == TOKEN_NAME && !token->name->symbol ?
+	                            files_integer(token->name->word) : NULL;
+	source_top(reader)->position += format != NULL;
+	return format && source_accept_sign(reader, ',') ? NULL : format; /* a comma ends what the word holds for */
+}
+
+/* One value; *format lasts to the next comma. The sign behind it, or 0 when another value follows or after a report. */
+static int write_value(Reader *reader, SceneFile *file, const FileInteger *format)
+{
+	Frame frame;
+	Semantic value;
+	Location where = source_here(reader);
+	if (!frame_parse(reader, S_EXPRESSION, FRAME_RUNS_ON, &frame))
+		return ')';
+	if (format)
+		files_write_integer(&reader->context, file, format, frame.value, where);
+	else
+		files_write(&reader->context, file, frame.value, where);
+	int kind = lexer_fetch(reader, &value, &where);
+	if (kind == READER_YYEOF && !reader->stopped)
+		diag_error(reader->context.diag, where, "the arguments of #write are never closed");
+	if (kind == READER_YYEOF || kind == ')')
+		return ')';
+	if (kind != ',')
+		lexer_give_back(reader, kind, &value, where);
+	return kind == ',' ? ',' : 0;
+}
+
 static void run_write(Reader *reader)
 {
 	Name *name;
-	Frame frame;
 	if (!source_take_sign(reader, '(', "#write"))
 		return;
 	SceneFile *file = read_file(reader, &name);
 	if (!file || source_accept_sign(reader, ')'))
 		return;
 	source_accept_sign(reader, ',');
-	Location where = source_here(reader);
-	if (!frame_arguments(reader, &frame))
-		return;
-	reader->value_count = frame.run.start;
-	for (int i = 0; i < frame.run.count; i++)
-		files_write(&reader->context, file, reader->values[frame.run.start + i], where);
+	int sign = ',';
+	const FileInteger *format = NULL;
+	while (sign != ')' && !reader->stopped) {
+		if (sign == ',')
+			format = read_integer_format(reader);
+		sign = write_value(reader, file, format);
+	}
 }
 
 void file_directive(Reader *reader, Word word, Location where)

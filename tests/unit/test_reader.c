@@ -36,6 +36,12 @@ static void test_expressions(void)
 	check_scene("box { rgb <1,0.5,0> transmit 0.3 }", "(box color<1,0.5,0,0,0.3>)\n");
 	check_scene("image_map { png \"a\" map_type 1 filter all 0.5 }", "(image_map png \"a\" map_type 1 filter all 0.5)\n");
 	check_scene("global_settings { assumed_gamma srgb }", "(global_settings assumed_gamma srgb)\n");
+	check_scene("box { (1 | 0 & 0) (0 & 0 | 1) }", "(box 0 1)\n");
+	check_scene("#declare F = function(x) { x | 0 & 0 } box { F(1) }", "(box 1)\n");
+	check_scene("max_trace_level 1 + 6 box { 2 }", "max_trace_level 7\n(box 2)\n");
+	check_scene("polynomial { 2, xyz(2,0,1-1): -1 xyz(0,0,0): 3, 0.5 }", "(polynomial 2 [2 0 0 -1] [0 0 0 3] 0.5)\n");
+	check_scene("#declare S = spline { linear_spline 0,<0,0> 1,<2,2> 2,<0,0> }\nbox { S(0.5) S(0.5, quadratic_spline) }",
+	            "(box <1,1> <1.5,1.5>)\n");
 }
 
 static void test_directives(void)
@@ -66,8 +72,24 @@ static void test_macros(void)
 	check_scene("#macro M() #while (1) 1 #break #end #break 2 #end box { M() }", "(box 1)\n");
 }
 
+/* What #write makes of words for binary formats; as POV-Ray writes it. */
+static void test_binary(void)
+{
+	static const unsigned char expected[] = {1, '2', 255, '|', 2, 1, 0, 1, 1, 2, 255, 255, 255, 254, '7'};
+	unsigned char bytes[64];
+	check_scene("#fopen F \"test_reader.bytes\" write #write (F, sint8 1, 2, uint8 300, \"|\", uint16le 258 <256.4, 513>,"
+	            "sint32be -2, uint8, 7)\n#fclose F box { 1 }", "(box 1)\n");
+	FILE *file = fopen("test_reader.bytes", "rb");
+	size_t length = file ? fread(bytes, 1, sizeof bytes, file) : 0;
+	if (file)
+		fclose(file);
+	remove("test_reader.bytes");
+	CHECK(length == sizeof expected && memcmp(bytes, expected, length) == 0);
+}
+
 int main(void)
 {
+	test_binary();
 	test_items();
 	test_expressions();
 	test_directives();
