@@ -283,7 +283,9 @@ int bsdf_events(const Bsdf *bsdf, Transport transport, BsdfEvent out[BSDF_MAX_EV
 	for (int i = 0; i < bsdf->count; i++) {
 		const BsdfLayer *layer = &bsdf->layers[i];
 		Rgb weight = layer->mirror;
-		if (!rgb_is_black(weight))
+		/* Total reflection is this mirror already. */
+		bool same = count && out[0].total && vec3_distance(layer->normal, bsdf->layers[0].normal) < 1e-9;
+		if (!rgb_is_black(weight) && !same)
 			out[count++] = (BsdfEvent){
 				.kind = BSDF_REFLECT, .weight = weight, .exponent = layer->finish->reflection.exponent,
 				.to = mirror_direction(bsdf, layer->normal),

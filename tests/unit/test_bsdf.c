@@ -126,7 +126,7 @@ static void check_fresnel_slab(void)
 	/* From inside beyond the critical angle everything is reflected. */
 	bsdf = bsdf_of(&layer, 1, vec3(sin(0.8), 0, cos(0.8)), 1.5);
 	bsdf.through = rgb_all(1);
-	bsdf_events(&bsdf, TRANSPORT_RADIANCE, events);
+	CHECK(bsdf_events(&bsdf, TRANSPORT_RADIANCE, events) == 1);
 	CHECK(events[0].total && events[0].to.z > 0);
 	CHECK_NEAR(bsdf_fresnel(cos(0.8), 1.5), 1, 0);
 }
