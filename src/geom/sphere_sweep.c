@@ -164,6 +164,7 @@ typedef struct SegmentRay {
 	int degree;
 	double shift;
 	double nearest[MAX_DEGREE + 1], left[2 * MAX_DEGREE + 1]; /* b, D */
+	double left_slope[2 * MAX_DEGREE];                        /* D' */
 	double critical[4 * MAX_DEGREE + 1];                      /* 4 D b'^2 - D'^2, degree 4 degree - 2 */
 } SegmentRay;
 
@@ -191,12 +192,12 @@ static void segment_ray_prepare(SegmentRay *out, const SweepSegment *segment, co
 static void segment_ray_critical(SegmentRay *ray)
 {
 	int n = ray->degree;
-	double slope[MAX_DEGREE], left_slope[2 * MAX_DEGREE], square[2 * MAX_DEGREE] = {0};
+	double slope[MAX_DEGREE], square[2 * MAX_DEGREE] = {0};
 	differentiate(ray->nearest, n, slope);
-	differentiate(ray->left, 2 * n, left_slope);
+	differentiate(ray->left, 2 * n, ray->left_slope);
 	add_product(square, 1, slope, n - 1, slope, n - 1);
 	add_product(ray->critical, 4, ray->left, 2 * n, square, 2 * n - 2);
-	add_product(ray->critical, -1, left_slope, 2 * n - 1, left_slope, 2 * n - 1);
+	add_product(ray->critical, -1, ray->left_slope, 2 * n - 1, ray->left_slope, 2 * n - 1);
 }
 
 /* Widens the span by the sphere at s. */
@@ -214,16 +215,23 @@ static void span_take(SweepSpan *span, const SegmentRay *ray, double s)
 	}
 }
 
-/* The ray's stay in the spheres of s from lo to hi, where D is positive. */
+static void span_take_roots(SweepSpan *span, const SegmentRay *ray, const double *c, int degree, const double limits[2])
+{
+	double roots[4 * MAX_DEGREE];
+	int count = polynomial_roots(c, degree, limits[0], limits[1], roots);
+	for (int i = 0; i < count; i++)
+		span_take(span, ray, roots[i]);
+}
+
+/* The ray's stay in the spheres of s from lo to hi, where D is positive. Where the sweep lies square to the ray, b' is 0 and
+ * the critical polynomial has double roots only, which may not be found: those of D' stand for them. */
 static void add_span(SpanList *list, const SegmentRay *ray, int segment, const double limits[2])
 {
 	SweepSpan span = {.in = {.t = INFINITY, .part = segment}, .out = {.t = -INFINITY, .part = segment}};
-	double roots[4 * MAX_DEGREE];
 	span_take(&span, ray, limits[0]);
 	span_take(&span, ray, limits[1]);
-	int count = polynomial_roots(ray->critical, 4 * ray->degree - 2, limits[0], limits[1], roots);
-	for (int i = 0; i < count; i++)
-		span_take(&span, ray, roots[i]);
+	span_take_roots(&span, ray, ray->critical, 4 * ray->degree - 2, limits);
+	span_take_roots(&span, ray, ray->left_slope, 2 * ray->degree - 1, limits);
 	span.in.t += ray->shift;
 	span.out.t += ray->shift;
 	if (span.in.t < span.out.t)

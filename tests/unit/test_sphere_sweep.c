@@ -46,6 +46,25 @@ static void test_capsule(Arena *arena)
 	CHECK(shape_inside(&shape, vec3(1.49, 0, 0)) && !shape_inside(&shape, vec3(1.51, 0, 0)));
 }
 
+/* Seen square to the plane it lies in: hits lie under every point of its middle line. */
+static void test_flat(Arena *arena)
+{
+	const Vec3 centers[] = {{-0.5, -1, 0}, {0, -0.5, 0}, {0.6, 0, 0}, {0.3, 0.8, 0}, {-0.5, 1, 0}};
+	SphereSweepDesc desc = {.kind = SPHERE_SWEEP_B_SPLINE, .centers = centers, .radii = RADII, .count = 5};
+	Shape shape = test_shape(&sphere_sweep_class, sphere_sweep_create(arena, &desc, &message));
+	int missed = 0;
+	for (int i = 0; i < 200; i++) {
+		double s = 0.01 + 0.0049 * i;
+		double weights[] = {pow(1 - s, 3), 3 * s * s * s - 6 * s * s + 4, 1 + 3 * s + 3 * s * s - 3 * s * s * s, s * s * s};
+		Ray ray = {{0, 0, -10}, {0, 0, 1}, 0, INFINITY};
+		Hit hit;
+		for (int k = 0; k < 4; k++)
+			ray.origin = vec3_mad(ray.origin, weights[k] / 6, centers[k]);
+		missed += !shape_nearest(&shape, &ray, &hit) || hit.t > 9.9;
+	}
+	CHECK(missed == 0);
+}
+
 static void test_ovus(Arena *arena)
 {
 	const double ratios[] = {0.3, 0.8, 1, 1.4, 1.9, 2.5};
@@ -76,6 +95,7 @@ int main(void)
 	Arena *arena = arena_create();
 	test_kinds(arena);
 	test_capsule(arena);
+	test_flat(arena);
 	test_ovus(arena);
 	arena_destroy(arena);
 	return CHECK_RESULT();
