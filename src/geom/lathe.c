@@ -6,12 +6,51 @@
 #include "geom/polynomial.h"
 #include "geom/sweep.h"
 
+/*
+ * Runs of neighbouring segments share a ring around them, in a binary tree: node n has the children 2n + 1 and 2n + 2, each with half
+ * of its segments; a node of one segment is a leaf.
+ */
+typedef struct Ring {
+	double low, high;    /* heights */
+	double inner, outer; /* squared radii */
+} Ring;
+
 typedef struct Lathe {
 	const CurveSegment *segments;
 	int count;
+	Ring *rings;
 	double radius, low, high;
 	double tiny; /* a length that counts as nothing beside the lathe's size */
 } Lathe;
+
+static Ring ring_of(const CurveSegment *g)
+{
+	double a = fabs(g->lo.u), b = fabs(g->hi.u), inner = g->lo.u < 0 && g->hi.u > 0 ? 0 : fmin(a, b), outer = fmax(a, b);
+	return (Ring){g->lo.v, g->hi.v, inner * inner, outer * outer};
+}
+
+static int tree_size(int segments)
+{
+	int size = 1;
+	while (size < segments)
+		size *= 2;
+	return 2 * size;
+}
+
+static void build_rings(Lathe *lathe, int node, int first, int count)
+{
+	Ring *ring = &lathe->rings[node];
+	*ring = ring_of(&lathe->segments[first]);
+	for (int i = first + 1; i < first + count; i++) {
+		Ring other = ring_of(&lathe->segments[i]);
+		*ring = (Ring){fmin(ring->low, other.low), fmax(ring->high, other.high), fmin(ring->inner, other.inner),
+		               fmax(ring->outer, other.outer)};
+	}
+	if (count == 1)
+		return;
+	build_rings(lathe, 2 * node + 1, first, count / 2);
+	build_rings(lathe, 2 * node + 2, first + count / 2, count - count / 2);
+}
 
 const void *lathe_create(Arena *arena, const LatheDesc *desc, const char **error)
 {
@@ -21,8 +60,12 @@ const void *lathe_create(Arena *arena, const LatheDesc *desc, const char **error
 		return NULL;
 	Outline bounds = outline_create(segments, count);
 	Lathe *lathe = ARENA_NEW(arena, Lathe);
-	*lathe = (Lathe){segments, count, fmax(fabs(bounds.lo.u), fabs(bounds.hi.u)), bounds.lo.v, bounds.hi.v, 0};
+	*lathe = (Lathe){
+		.segments = segments, .count = count, .rings = ARENA_ARRAY(arena, Ring, tree_size(count)),
+		.radius = fmax(fabs(bounds.lo.u), fabs(bounds.hi.u)), .low = bounds.lo.v, .high = bounds.hi.v,
+	};
 	lathe->tiny = 1e-12 * fmax(lathe->radius, lathe->high - lathe->low);
+	build_rings(lathe, 0, 0, count);
 	return lathe;
 }
 
@@ -93,36 +136,71 @@ static void cross_segment_level(const Shape *self, const Ray *ray, int number, H
 	}
 }
 
-/* Whether the ray can come near the ring that the segment sweeps: between its heights, within its outer radius. */
-static bool ring_misses(const CurveSegment *g, const Ray *ray, AxisDistance q)
+typedef struct Turning {
+	const Shape *self;
+	const Lathe *lathe;
+	const Ray *ray;
+	AxisDistance q;
+	double inverse, closest; /* 1 / dy; where the ray is nearest to the axis */
+	bool level;
+	HitList *out;
+} Turning;
+
+static double larger(double a, double b) { return a > b ? a : b; }
+static double smaller(double a, double b) { return a < b ? a : b; }
+
+static double distance_at(const AxisDistance *q, double t)
 {
-	double near = ray->tmin, far = ray->tmax, dy = ray->direction.y;
-	double a = (g->lo.v - ray->origin.y) / dy, b = (g->hi.v - ray->origin.y) / dy;
-	near = fmax(near, fmin(a, b));
-	far = fmin(far, fmax(a, b));
-	double slack = 1e-9 * (fabs(near) + fabs(far));
-	if (near > far + slack)
+	return (q->a * t + 2 * q->b) * t + q->c;
+}
+
+/* Whether the ray passes the ring by: it is never between its heights and, there, between its radii. A little slack covers
+ * rounding. */
+static bool passes_by(const Turning *turning, const Ring *ring)
+{
+	const Ray *ray = turning->ray;
+	double near = ray->tmin, far = ray->tmax;
+	if (turning->level) {
+		if (ray->origin.y < ring->low || ray->origin.y > ring->high)
+			return true;
+	} else {
+		double a = (ring->low - ray->origin.y) * turning->inverse, b = (ring->high - ray->origin.y) * turning->inverse;
+		near = larger(near, smaller(a, b));
+		far = smaller(far, larger(a, b));
+	}
+	double slack = 1e-9 * (fabs(near) + (far < 1e30 ? fabs(far) : 0));
+	near -= slack;
+	far += slack;
+	if (near > far)
 		return true;
-	double t = q.a > 0 ? fmin(fmax(-q.b / q.a, near), far) : near; /* nearest to the axis */
-	double r = fmax(fabs(g->lo.u), fabs(g->hi.u));
-	return q.a * t * t + 2 * q.b * t + q.c > r * r * (1 + 1e-9) + slack;
+	double t = smaller(larger(turning->closest, near), far);
+	if (distance_at(&turning->q, t) > ring->outer * (1 + 1e-9))
+		return true;
+	return far < 1e30 && larger(distance_at(&turning->q, near), distance_at(&turning->q, far)) < ring->inner * (1 - 1e-9);
+}
+
+static void cross_rings(const Turning *turning, int node, int first, int count)
+{
+	if (passes_by(turning, &turning->lathe->rings[node]))
+		return;
+	if (count > 1) {
+		cross_rings(turning, 2 * node + 1, first, count / 2);
+		cross_rings(turning, 2 * node + 2, first + count / 2, count - count / 2);
+	} else if (turning->level) {
+		cross_segment_level(turning->self, turning->ray, first, turning->out);
+	} else {
+		cross_segment(turning->self, turning->ray, first, turning->out);
+	}
 }
 
 static void lathe_intersect(const Shape *self, const Ray *ray, HitList *out)
 {
-	const Lathe *lathe = self->data;
-	AxisDistance q = axis_distance(ray);
-	double reach = sqrt(q.a + ray->direction.y * ray->direction.y);
-	bool level = fabs(ray->direction.y) < 1e-9 * reach;
-	for (int i = 0; i < lathe->count; i++) {
-		const CurveSegment *g = &lathe->segments[i];
-		if (level) {
-			if (ray->origin.y >= g->lo.v && ray->origin.y <= g->hi.v)
-				cross_segment_level(self, ray, i, out);
-		} else if (!ring_misses(g, ray, q)) {
-			cross_segment(self, ray, i, out);
-		}
-	}
+	Turning turning = {.self = self, .lathe = self->data, .ray = ray, .q = axis_distance(ray), .out = out};
+	double dy = ray->direction.y, reach = sqrt(turning.q.a + dy * dy);
+	turning.level = fabs(dy) < 1e-9 * reach;
+	turning.inverse = 1 / dy;
+	turning.closest = turning.q.a > 0 ? -turning.q.b / turning.q.a : 0;
+	cross_rings(&turning, 0, 0, turning.lathe->count);
 }
 
 /* Inside when the half line from (r, y) away from the axis crosses the curve an odd number of times. */
