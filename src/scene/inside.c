@@ -12,7 +12,7 @@ static int find(const InsideStack *stack, const Surface *surface)
 {
 	for (int i = stack->count - 1; i >= 0; i--) {
 		const InsideItem *item = &stack->items[i];
-		if (item->interior == surface->interior && (item->interior || item->id == surface->id))
+		if (item->interior == surface->interior && item->id == surface->id)
 			return i;
 	}
 	return -1;

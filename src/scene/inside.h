@@ -1,6 +1,7 @@
 /*
  * Which objects' insides a ray is in, in the order in which it entered them: for indices of refraction, attenuation, and
- * whether fog reaches here. A surface is known by its interior, or by its object when it has none.
+ * whether fog reaches here. A surface is known by its object
+ * and interior: parts of a union with one interior are one, two objects with the same declared one are not.
  */
 #ifndef SCENE_INSIDE_H
 #define SCENE_INSIDE_H

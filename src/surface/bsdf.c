@@ -268,8 +268,10 @@ static BsdfEvent passage(const Bsdf *bsdf, Transport transport)
 	if (vec3_dot(normal, bsdf->from) < 0)
 		normal = vec3_neg(normal);
 	event.total = !bsdf_refract(event.to, normal, bsdf->ior, &event.to);
-	if (event.total)
+	if (event.total) { /* all of the light, whatever colour the surface filters with */
 		event.to = mirror_direction(bsdf, normal);
+		event.weight = rgb_all(1);
+	}
 	/* POV-Ray leaves out the change of radiance with the square of the index, in both directions. */
 	(void)transport;
 	return event;
