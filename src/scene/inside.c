@@ -60,7 +60,7 @@ double inside_ratio_of_hue(const InsideStack *stack, const Surface *surface, dou
 {
 	int at = find(stack, surface);
 	double own = ior_of(surface->interior, hue);
-	return at >= 0 ? own / top_ior(stack, at, hue) : top_ior(stack, -1, hue) / own;
+	return at >= 0 ? top_ior(stack, -1, hue) / top_ior(stack, at, hue) : top_ior(stack, -1, hue) / own;
 }
 
 double inside_ratio(const InsideStack *stack, const Surface *surface)
