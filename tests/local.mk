@@ -10,6 +10,7 @@ include tests/unit/parser.mk
 include tests/unit/cli.mk
 include tests/unit/photon.mk
 include tests/unit/density.mk
+include tests/unit/caustic.mk
 # Tests that are scripts. They find the programs and the sources in their environment.
 TEST_EXTENSIONS = .sh
 SH_LOG_COMPILER = $(SHELL)
