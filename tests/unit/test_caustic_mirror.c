@@ -45,7 +45,7 @@ static void check_density(const PhotonMap *map, const FloorFrame *frame, const d
 {
 	int count;
 	double flux = floor_flux(map, frame, rectangle, &count), expected = density * 4 * rectangle[1] * rectangle[2];
-	CHECK(count > 500);
+	CHECK(count > 300);
 	CHECK_NEAR(flux / expected, 1, 0.02 + 3 / sqrt(fmax(count, 1)));
 }
 
