@@ -3,6 +3,36 @@
 #include "lang/build_media.h"
 #include "lang/cursor.h"
 
+/* ---- numbers with bounds ---- */
+
+/* A whole number of at least 1. */
+static bool take_count(Cursor *cursor, int *out)
+{
+	Location where = cursor_where(cursor);
+	int count;
+	if (!cursor_take_int(cursor, &count))
+		return false;
+	if (count >= 1)
+		*out = count;
+	else
+		diag_error(cursor->context->diag, where, "this must be at least 1, not %d", count);
+	return count >= 1;
+}
+
+/* A number above 0. */
+static bool take_positive(Cursor *cursor, double *out)
+{
+	Location where = cursor_where(cursor);
+	double number;
+	if (!cursor_take_float(cursor, &number))
+		return false;
+	if (number > 0)
+		*out = number;
+	else
+		diag_error(cursor->context->diag, where, "this must be above 0, not %g", number);
+	return number > 0;
+}
+
 /* ---- estimator ---- */
 
 static bool read_kernel(Cursor *cursor, Estimator *estimator)
@@ -25,19 +55,19 @@ static bool read_kernel(Cursor *cursor, Estimator *estimator)
 static bool read_estimator_item(Cursor *cursor, Estimator *estimator)
 {
 	if (cursor_accept_word(cursor, W_count))
-		return cursor_take_int(cursor, &estimator->count);
+		return take_count(cursor, &estimator->count);
 	if (cursor_accept_word(cursor, W_radius))
-		return cursor_take_float(cursor, &estimator->radius);
+		return take_positive(cursor, &estimator->radius);
 	if (cursor_accept_word(cursor, W_diffusivity))
-		return cursor_take_float(cursor, &estimator->diffusivity);
+		return take_positive(cursor, &estimator->diffusivity);
 	if (cursor_accept_word(cursor, W_scale))
-		return cursor_take_float(cursor, &estimator->scale);
+		return take_positive(cursor, &estimator->scale);
 	if (cursor_accept_word(cursor, W_network))
 		return cursor_take_string(cursor, &estimator->network);
 	if (cursor_accept_word(cursor, W_grid))
-		return cursor_take_int(cursor, &estimator->grid);
+		return take_count(cursor, &estimator->grid);
 	if (cursor_accept_word(cursor, W_updates))
-		return cursor_take_int(cursor, &estimator->updates);
+		return take_count(cursor, &estimator->updates);
 	if (cursor_accept_word(cursor, W_kernel))
 		return read_kernel(cursor, estimator);
 	cursor_unexpected(cursor);
@@ -100,11 +130,11 @@ static void read_relaxation_item(Cursor *cursor, Relaxation *relaxation)
 		if (cursor_accept_float(cursor, &world))
 			relaxation->world_iterations = (int)world;
 	} else if (cursor_accept_word(cursor, W_neighbors)) {
-		cursor_take_int(cursor, &relaxation->neighbors);
+		take_count(cursor, &relaxation->neighbors);
 	} else if (cursor_accept_word(cursor, W_repulsion_neighbors)) {
-		cursor_take_int(cursor, &relaxation->repulsion_neighbors);
+		take_count(cursor, &relaxation->repulsion_neighbors);
 	} else if (cursor_accept_word(cursor, W_range)) {
-		cursor_take_float(cursor, &relaxation->range);
+		take_positive(cursor, &relaxation->range);
 	} else {
 		cursor_unexpected(cursor);
 	}
@@ -128,9 +158,12 @@ static void read_reduction(Cursor *cursor, Progressive *progressive)
 		{W_apa, REDUCTION_APA}, {W_ppm, REDUCTION_PPM}, {W_appm, REDUCTION_APPM}, {W_cppm, REDUCTION_CPPM},
 		{W_schedule, REDUCTION_SCHEDULE},
 	};
+	Location where = cursor_where(cursor);
 	for (size_t i = 0; i < sizeof rows / sizeof *rows; i++)
 		if (cursor_accept_word(cursor, rows[i].word)) {
 			progressive->reduction = rows[i].reduction;
+			if (rows[i].reduction != REDUCTION_APA)
+				diag_error(cursor->context->diag, where, "this reduction is not built yet; apa is");
 			return;
 		}
 	cursor_expected(cursor, "a reduction");
@@ -142,11 +175,11 @@ static Progressive read_progressive(Context *context, const Node *block)
 	Cursor cursor = cursor_begin(context, block);
 	while (!cursor_at_end(&cursor)) {
 		if (cursor_accept_word(&cursor, W_passes))
-			cursor_take_int(&cursor, &progressive.passes);
+			take_count(&cursor, &progressive.passes);
 		else if (cursor_accept_word(&cursor, W_time))
-			cursor_take_float(&cursor, &progressive.seconds);
+			take_positive(&cursor, &progressive.seconds);
 		else if (cursor_accept_word(&cursor, W_radius))
-			cursor_take_float(&cursor, &progressive.radius);
+			take_positive(&cursor, &progressive.radius);
 		else if (cursor_accept_word(&cursor, W_reduction))
 			read_reduction(&cursor, &progressive);
 		else
@@ -176,9 +209,9 @@ static bool accept_global_number(Cursor *cursor, PhotonSettings *settings)
 {
 	double number;
 	if (cursor_accept_word(cursor, W_spacing)) {
-		cursor_take_float(cursor, &settings->spacing);
+		take_positive(cursor, &settings->spacing);
 	} else if (cursor_accept_word(cursor, W_count)) {
-		cursor_take_int(cursor, &settings->count);
+		take_count(cursor, &settings->count);
 	} else if (cursor_accept_word(cursor, W_gather)) {
 		if (cursor_take_int(cursor, &settings->gather_min))
 			cursor_take_int(cursor, &settings->gather_max);
