@@ -48,3 +48,9 @@ bench-language: cognac$(EXEEXT)
 
 clean-local:
 	-rm -rf povray-cache
+
+# Caustics beside POV-Ray's: `make check-brightness` (minutes; needs povray and povray-examples).
+EXTRA_DIST += tests/photon-brightness.py tests/photons
+check-brightness: cognac$(EXEEXT)
+	python3 $(srcdir)/tests/photon-brightness.py --cognac $(abs_builddir)/cognac$(EXEEXT)
+.PHONY: check-brightness

@@ -1,0 +1,133 @@
+#!/usr/bin/env python3
+"""Compares the brightness of caustics with POV-Ray's.
+
+Each scene is rendered by both programs twice, with all its photons and with nearly none. The difference is what the photons
+brought; its mean over the pixels where POV-Ray's difference is at least a fiftieth of its brightest, and nothing is clipped in
+any picture, is printed for both programs, with their ratio. Exit status 1 when a ratio is off by more than the tolerance.
+The scenes are those of tests/photons and samples of Debian's povray-examples. 77 when there is no povray.
+"""
+import argparse
+import gzip
+import pathlib
+import re
+import shutil
+import subprocess
+import sys
+import tempfile
+
+HERE = pathlib.Path(__file__).resolve().parent
+EXAMPLES = pathlib.Path("/usr/share/doc/povray/examples")
+# Samples: path, and what is replaced to leave out nearly all photons.
+SAMPLES = [
+    ("lights/phot_met_glass", [(r"spacing +0\.03", "spacing 30 radius 1e-9")]),
+    ("lights/glassthing", [(r"spacing +0\.05", "spacing 30 radius 1e-9")]),
+    ("advanced/grenadine/grenadine", [(r"spacing +0\.01", "spacing 30 radius 1e-9")]),
+    ("templates/Radiosity_Photons/80_Photons_scene", [(r"(photons *\{[^}]*?)(count|spacing) +[\d.]+", r"\1spacing 30 radius 1e-9")]),
+    ("templates/Radiosity_Photons/85_Photons_scene1", [(r"(photons *\{[^}]*?)(count|spacing) +[\d.]+", r"\1spacing 30 radius 1e-9")]),
+]
+OWN = ["sphere", "ring", "prism", "spot", "mirror", "nested"]
+
+
+def read_ppm(path):
+    """The pixels of a 16-bit PPM as one flat list of values in 0..1."""
+    data = path.read_bytes()
+    fields, at = [], 0
+    while len(fields) < 4:
+        match = re.compile(rb"\s*(#[^\n]*\n\s*)*(\S+)").match(data, at)
+        fields.append(match.group(2))
+        at = match.end()
+    values = memoryview(data[at + 1:])
+    assert fields[0] == b"P6" and fields[3] == b"65535"
+    return [(values[i] * 256 + values[i + 1]) / 65535 for i in range(0, len(values), 2)]
+
+
+def render(program, scene, words, folder, output):
+    command = [program, "+I" + scene, f"+O{output}", "+FP16", "-A", "+WT1", "File_Gamma=1", "+L" + str(EXAMPLES), *words]
+    done = subprocess.run(command, cwd=folder, stdin=subprocess.DEVNULL, capture_output=True, text=True, timeout=600)
+    if done.returncode:
+        raise RuntimeError(f"{program} {scene}: exit {done.returncode}: {done.stderr[-300:]}")
+    return read_ppm(pathlib.Path(output))
+
+
+def prepare_sample(name, replacements, work):
+    """Copies the sample's folder and puts a second scene beside it, without photons. Returns folder and both names."""
+    source = EXAMPLES / name
+    folder = work / source.parent.name
+    if not folder.exists():
+        shutil.copytree(source.parent, folder)
+        for packed in folder.glob("*.gz"):
+            packed.with_suffix("").write_bytes(gzip.decompress(packed.read_bytes()))
+    path = next(p for p in (folder / (source.name + e) for e in (".pov", ".txt")) if p.exists())
+    text = path.read_text(encoding="latin-1")
+    (folder / (source.name + ".full.pov")).write_text(text, encoding="latin-1")
+    for pattern, replacement in replacements:
+        text, count = re.subn(pattern, replacement, text, count=1)
+        assert count, f"{name}: no {pattern}"
+    (folder / (source.name + ".none.pov")).write_text(text, encoding="latin-1")
+    return folder, source.name + ".full.pov", source.name + ".none.pov"
+
+
+def pictures(program, scenes, size, folder, work):
+    full, none = scenes
+    return [render(program, scene, words + size, folder, work / f"out{i}.ppm")
+            for i, (scene, words) in enumerate((full, none))]
+
+
+def luminance(pixels, i):
+    return 0.297 * pixels[i] + 0.589 * pixels[i + 1] + 0.114 * pixels[i + 2]
+
+
+def compare(theirs, ours):
+    """Mean brightness that photons brought, by POV-Ray and by us."""
+    change = [luminance(theirs[0], i) - luminance(theirs[1], i) for i in range(0, len(theirs[0]), 3)]
+    bright = sorted(change)[int(0.995 * len(change))]
+    sums, count = [0.0, 0.0], 0
+    for i, value in enumerate(change):
+        clipped = any(max(p[3 * i:3 * i + 3]) > 0.98 for p in theirs + ours)
+        if value < 0.02 * bright or clipped:
+            continue
+        sums[0] += value
+        sums[1] += luminance(ours[0], 3 * i) - luminance(ours[1], 3 * i)
+        count += 1
+    return [s / max(count, 1) for s in sums], count
+
+
+def run(options, name, scenes, folder, work):
+    size = ["+W160", "+H120"] if folder != HERE / "photons" else ["+W100", "+H100"]
+    theirs = pictures(options.povray, scenes, size + ["-D"], folder, work)
+    ours = pictures(options.cognac, scenes, size, folder, work)
+    (a, b), count = compare(theirs, ours)
+    ratio = b / a if a else 0
+    good = abs(ratio - 1) <= options.tolerance
+    print(f"{name:48} povray {a:.5f}  cognac {b:.5f}  ratio {ratio:.3f}  {count:5d} pixels{'' if good else '  OFF'}", flush=True)
+    return good
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__.split("\n")[0])
+    parser.add_argument("--cognac", default=shutil.which("cognac"))
+    parser.add_argument("--povray", default=shutil.which("povray"))
+    parser.add_argument("--tolerance", type=float, default=0.05)
+    parser.add_argument("--own", action="store_true", help="leave the samples out")
+    parser.add_argument("names", nargs="*", help="only scenes whose names contain one of these")
+    options = parser.parse_args()
+    if not options.povray:
+        return 77
+    wanted = lambda name: not options.names or any(n in name for n in options.names)
+    good = True
+    with tempfile.TemporaryDirectory() as scratch:
+        work = pathlib.Path(scratch)
+        for name in filter(wanted, OWN):
+            scene = str(HERE / "photons" / (name + ".pov"))
+            scenes = [(scene, []), (scene, ["Declare=Photons=1"])]
+            good &= run(options, name, scenes, HERE / "photons", work)
+        for name, replacements in SAMPLES:
+            if options.own or not wanted(name) or not EXAMPLES.exists():
+                continue
+            folder, full, none = prepare_sample(name, replacements, work)
+            good &= run(options, name, [(full, []), (none, [])], folder, work)
+    return 0 if good else 1
+
+
+if __name__ == "__main__":
+    sys.exit(main())
