@@ -2,7 +2,7 @@
 
 #include <math.h>
 
-#include "lang/build_media.h"
+#include "lang/build_object.h"
 #include "lang/build_texture.h"
 #include "lang/build_transform.h"
 #include "lang/cursor.h"
@@ -13,6 +13,8 @@ typedef struct CameraReading {
 	Camera camera;
 	Transform transform;
 	Vec3 look_at, focal_point;
+	MeshCamera *mesh; /* mesh_camera; or NULL */
+	bool smooth;
 	bool has_look_at, has_size, has_angle, has_focal_point; /* size: up or right */
 } CameraReading;
 
@@ -117,16 +119,60 @@ static bool accept_blur(Cursor *cursor, CameraReading *reading)
 	return true;
 }
 
+/* The meshes, in the order of their rays. */
+static void read_camera_meshes(Cursor *cursor, MeshCamera *camera)
+{
+	Arena *arena = cursor->context->builder->arena;
+	ObjectList list = {0};
+	build_object_list(cursor, &list);
+	MeshCameraPart *parts = ARENA_ARRAY(arena, MeshCameraPart, list.count + 1);
+	for (int i = 0; i < list.count; i++) {
+		MeshCameraPart *part = &parts[camera->part_count];
+		*part = (MeshCameraPart){.mesh = list.items[i]->data, .transform = list.items[i]->transform};
+		if (list.items[i]->kind != OBJECT_PRIMITIVE || list.items[i]->class != &mesh_class)
+			diag_error(cursor->context->diag, cursor->block->where, "a mesh_camera takes meshes only");
+		else if (camera->distribution == 3 && !mesh_camera_index(arena, part))
+			diag_error(cursor->context->diag, cursor->block->where, "a mesh_camera of distribution 3 needs uv_vectors");
+		else
+			camera->part_count++;
+	}
+	camera->parts = parts;
+}
+
+/* mesh_camera { rays, distribution [, max_distance] meshes } */
+static void read_mesh_camera(Cursor *outer, const Node *block, CameraReading *reading)
+{
+	Cursor cursor = cursor_begin(outer->context, block);
+	MeshCamera *camera = ARENA_NEW(outer->context->builder->arena, MeshCamera);
+	if (!cursor_take_int(&cursor, &camera->rays) || !cursor_take_int(&cursor, &camera->distribution))
+		return;
+	camera->max_distance = cursor_optional_float(&cursor, 0);
+	if (camera->rays < 1 || camera->distribution < 0 || camera->distribution > 3) {
+		diag_error(outer->context->diag, block->where, "a mesh_camera takes at least one ray and a distribution from 0 to 3");
+		return;
+	}
+	read_camera_meshes(&cursor, camera);
+	reading->smooth |= cursor_accept_word(&cursor, W_smooth);
+	if (camera->part_count == 0 && cursor_at_end(&cursor))
+		diag_error(outer->context->diag, block->where, "a mesh_camera needs a mesh");
+	if (cursor_end(&cursor) && camera->part_count > 0) {
+		reading->mesh = camera;
+		reading->camera.kind = CAMERA_MESH;
+	}
+}
+
 static bool accept_other(Cursor *cursor, CameraReading *reading)
 {
 	const Node *block;
 	if ((block = cursor_accept_block(cursor, W_normal)))
 		reading->camera.normal = build_normal(cursor->context, block, reading->camera.normal);
 	else if ((block = cursor_accept_block(cursor, W_mesh_camera)))
-		build_unsupported(cursor->context, UNSUPPORTED_MESH_CAMERA, block->where);
+		read_mesh_camera(cursor, block, reading);
 	else if (cursor_accept_word(cursor, W_angle))
 		read_angle(cursor, reading);
-	else if (!cursor_accept_word(cursor, W_smooth))
+	else if (cursor_accept_word(cursor, W_smooth))
+		reading->smooth = true;
+	else
 		return false;
 	return true;
 }
@@ -169,9 +215,23 @@ static void apply_angle(Camera *camera)
 	camera->angle = 0;
 }
 
+/* Of location and direction a mesh camera takes the z alone: along the faces' normals. */
+static void finish_mesh_camera(CameraReading *reading)
+{
+	MeshCamera *mesh = reading->mesh;
+	mesh->offset = reading->camera.location.z;
+	mesh->reversed = reading->camera.direction.z < 0;
+	mesh->smooth = reading->smooth;
+	reading->camera.mesh = mesh;
+}
+
 static void finish_camera(Context *context, CameraReading *reading, const Node *block)
 {
 	Camera *camera = &reading->camera;
+	if (camera->kind == CAMERA_MESH && reading->mesh) {
+		finish_mesh_camera(reading);
+		return;
+	}
 	if (vec3_length2(camera->direction) == 0 || vec3_length2(camera->right) == 0 || vec3_length2(camera->up) == 0) {
 		diag_error(context->diag, block->where, "a camera's direction, right and up must not be zero");
 		*camera = *context->defaults.camera;

@@ -86,6 +86,27 @@ static void eye_sample(Tracer *tracer, const SamplePlace *place, Vec2 lens, Film
 		set_first(&first, out);
 }
 
+/* A mesh camera with several rays: the mean of those that have a face. */
+static void mesh_sample(Tracer *tracer, const SamplePlace *place, FilmPixel *out)
+{
+	const MeshCamera *mesh = tracer->scene->camera.mesh;
+	double sum[FILM_LIGHT_CHANNELS] = {0};
+	int count = 0;
+	eye_sample(tracer, place, (Vec2){0.5, 0.5}, out);
+	for (int i = 0; i < mesh->rays; i++) {
+		Ray ray;
+		FilmPixel one = {{0}};
+		if (!mesh_camera_ray(mesh, i, (Vec2){place->x, place->y}, (const int[]){place->width, place->height}, &ray))
+			continue;
+		set_color(tracer, trace_eye(tracer, &ray, NULL), one.v);
+		for (int k = 0; k < FILM_LIGHT_CHANNELS; k++)
+			sum[k] += one.v[k];
+		count++;
+	}
+	for (int k = 0; k < FILM_LIGHT_CHANNELS && count > 0; k++)
+		out->v[k] = (float)(sum[k] / count);
+}
+
 static double wrap(double x)
 {
 	return x - floor(x);
@@ -122,6 +143,8 @@ void sample_image(Tracer *tracer, const SamplePlace *place, FilmPixel *out)
 	tracer->statistics.samples++;
 	if (camera->aperture > 0 && camera->blur_samples > 1)
 		blurred_sample(tracer, place, out);
+	else if (camera->kind == CAMERA_MESH && camera->mesh->rays > 1)
+		mesh_sample(tracer, place, out);
 	else
 		eye_sample(tracer, place, (Vec2){0.5, 0.5}, out);
 }

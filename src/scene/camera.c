@@ -141,7 +141,6 @@ static Projection *const projections[] = {
 	[CAMERA_PANORAMIC] = project_panoramic,
 	[CAMERA_SPHERICAL] = project_spherical,
 	[CAMERA_CYLINDER] = project_cylinder,
-	[CAMERA_MESH] = project_perspective,
 };
 
 /* The unit square to the unit disc, keeping areas (Shirley & Chiu 1997). */
@@ -185,6 +184,8 @@ bool camera_ray(const Camera *camera, double x, double y, int width, int height,
 {
 	ImagePoint at = {x / width - 0.5, 0.5 - y / height, width, height};
 	*out = (Ray){.origin = camera->location, .tmin = 0, .tmax = INFINITY};
+	if (camera->kind == CAMERA_MESH)
+		return mesh_camera_ray(camera->mesh, 0, (Vec2){x, y}, (const int[]){width, height}, out);
 	if (!projections[camera->kind](camera, &at, out))
 		return false;
 	if (camera->normal) {

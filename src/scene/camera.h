@@ -4,6 +4,7 @@
 
 #include "base/vec.h"
 #include "geom/shape.h"
+#include "scene/mesh_camera.h"
 #include "surface/texture.h"
 
 typedef enum CameraKind {
@@ -25,6 +26,7 @@ typedef struct Camera {
 	double confidence, variance;
 	const char *bokeh;                 /* reserved */
 	const Pigment *bokeh_pigment;      /* or NULL */
+	const MeshCamera *mesh;            /* CAMERA_MESH; its rays count, nothing above */
 } Camera;
 
 Camera camera_default(double aspect);

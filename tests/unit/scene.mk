@@ -8,3 +8,6 @@ tests_unit_test_camera_LDADD = libscene.a libsurface.a libgeom.a libimage.a libb
 check_PROGRAMS += tests/unit/test_flatten
 tests_unit_test_flatten_SOURCES = tests/unit/test_flatten.c tests/unit/check.h
 tests_unit_test_flatten_LDADD = libscene.a liblight.a libsurface.a libgeom.a libbase.a
+check_PROGRAMS += tests/unit/test_mesh_camera
+tests_unit_test_mesh_camera_SOURCES = tests/unit/test_mesh_camera.c tests/unit/check.h
+tests_unit_test_mesh_camera_LDADD = libscene.a libsurface.a libgeom.a libbase.a $(EMBREE_LIBS)
