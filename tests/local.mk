@@ -46,6 +46,8 @@ bench-language: cognac$(EXEEXT)
 	COGNAC=./cognac bash $(srcdir)/tests/bench/language.sh
 .PHONY: bench-language
 
+include tests/bench/relaxation.mk
+
 clean-local:
 	-rm -rf povray-cache
 

@@ -15,7 +15,8 @@
 #include "base/vec.h"
 #include "photon/map.h"
 #include "scene/photon_settings.h"
-#include "scene/scene.h"
+
+typedef struct Scene Scene; /* scene/scene.h */
 
 /* A place on a surface: what a moved photon asks for. */
 typedef struct RelaxPlace {

@@ -8,6 +8,7 @@
 #include "base/arena.h"
 #include "geom/csg.h"
 #include "scene/accel.h"
+#include "scene/scene.h"
 #include "scene/shade.h"
 
 /* Surfaces may bend away from the tangent plane by as much as the step is long: more than 45 degrees. */
