@@ -127,25 +127,43 @@ static double arc_share(const Rainbow *rainbow, Vec3 direction)
 	return share * share * (3 - 2 * share);
 }
 
-static Seen rainbow_apply(Tracer *tracer, const Rainbow *rainbow, const Ray *ray, double distance, Seen seen)
+/* Rainbows over one another do not add up: what is seen is their mean. */
+typedef struct RainbowSum {
+	Rgb left, light;
+	int count;
+} RainbowSum;
+
+static void add_rainbow(Tracer *tracer, const Rainbow *rainbow, const Ray *ray, double distance, RainbowSum *sum)
 {
 	if (!rainbow->pigment || rainbow->width == 0 || rainbow->distance == 0)
-		return seen;
+		return;
 	double cosine = fmin(fmax(vec3_dot(ray->direction, rainbow->antisolar), -1), 1);
 	double place = (acos(cosine) * 180 / PI - rainbow->angle) / rainbow->width + 0.5;
 	if (rainbow->jitter != 0)
 		place += (2 * sampler_next(&tracer->sampler) - 1) * rainbow->jitter;
 	double share = place >= 0 && place <= 1 ? arc_share(rainbow, ray->direction) : 0;
 	if (share <= 0)
-		return seen;
+		return;
 	SurfacePoint at = {.p = {place, 0, 0}, .world = {place, 0, 0}, .direction = ray->direction};
 	Rgbft color = pigment_color(rainbow->pigment, &at);
 	double near = exp(-distance / rainbow->distance);
 	float left = (float)fmin(fmax(near, 1 - share + share * color.transmit), 1);
-	Rgb tint = rgb_lerp(rgb_all(1), rgbft_rgb(color), color.filter * (float)share);
-	seen.color = rgb_mad(rgb_scale(rgb_mul(seen.color, tint), left), 1 - left, rgbft_rgb(color));
-	seen.caustic = rgb_scale(rgb_mul(seen.caustic, tint), left);
-	seen.transmit *= left * mean(tint);
+	Rgb tint = rgb_lerp(rgb_all(1), rgbft_rgb(color), color.filter * (1 - left));
+	sum->left = rgb_add(sum->left, rgb_scale(tint, left));
+	sum->light = rgb_mad(sum->light, 1 - left, rgbft_rgb(color));
+	sum->count++;
+}
+
+static Seen rainbows_apply(Tracer *tracer, const Ray *ray, double distance, Seen seen)
+{
+	RainbowSum sum = {.count = 0};
+	for (int i = 0; i < tracer->scene->rainbow_count; i++)
+		add_rainbow(tracer, tracer->scene->rainbows[i], ray, distance, &sum);
+	if (!sum.count)
+		return seen;
+	Rgb left = rgb_scale(sum.left, 1.0f / (float)sum.count);
+	seen.color = rgb_mad(rgb_mul(seen.color, left), 1.0f / (float)sum.count, sum.light);
+	seen.transmit *= mean(left);
 	return seen;
 }
 
@@ -153,8 +171,7 @@ Seen atmosphere_apply(Tracer *tracer, const Ray *ray, double distance, Seen seen
 {
 	const Scene *scene = tracer->scene;
 	double length = fmin(distance, FAR_AWAY);
-	for (int i = 0; i < scene->rainbow_count; i++)
-		seen = rainbow_apply(tracer, scene->rainbows[i], ray, length, seen);
+	seen = rainbows_apply(tracer, ray, length, seen);
 	FogSum sum = {{1, 1, 1}, {0, 0, 0}};
 	for (int i = 0; i < scene->fog_count; i++)
 		add_fog(scene->fogs[i], ray, length, &sum);
