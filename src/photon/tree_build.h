@@ -2,6 +2,8 @@
 #ifndef PHOTON_TREE_BUILD_H
 #define PHOTON_TREE_BUILD_H
 
+#include <stddef.h>
+
 #include "photon/tree.h"
 
 /* Eight fill a 256-bit register with floats; ten levels of them hold 8^10 leaves. */
@@ -31,5 +33,31 @@ struct PhotonTree {
 	TreeLevel levels[TREE_MAX_LEVELS];
 	int level_count;
 };
+
+/* Memory of a multiple of 64 bytes, aligned to it; for free(). */
+void *tree_alloc(size_t count, size_t size);
+
+/* The points in the tree's order, `words` floats each: position, with more than four words
+ * emitter coordinates, and last the bits of the point's number. items is for free(). */
+typedef struct TreeItems {
+	float *items;
+	int words;
+} TreeItems;
+TreeItems tree_order(const TreePoints *points);
+
+typedef struct WithinQuery {
+	float center[3], radius;
+} WithinQuery;
+
+/* The queries, compiled for several instruction sets; photon/tree.c chooses. */
+#if defined(__x86_64__) && defined(__GNUC__)
+#define TREE_HAS_AVX2 1
+int tree_nearest_avx2(const PhotonTree *tree, const NearestQuery *query, Neighbor *out);
+void tree_within_avx2(const PhotonTree *tree, const WithinQuery *query, TreeVisit *visit,
+                      void *data);
+#endif
+int tree_nearest_plain(const PhotonTree *tree, const NearestQuery *query, Neighbor *out);
+void tree_within_plain(const PhotonTree *tree, const WithinQuery *query, TreeVisit *visit,
+                      void *data);
 
 #endif

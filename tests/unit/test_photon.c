@@ -6,6 +6,7 @@
 
 #include "base/parallel.h"
 #include "base/random.h"
+#include "photon/tree_build.h"
 #include "tests/unit/check.h"
 
 static Vec3 random_direction(Sampler *s)
@@ -101,6 +102,22 @@ static void add_found(void *data, const Neighbor *found, int count)
 		sum->distance2 += found[i].distance2;
 }
 
+/* What a processor without vectors of eight would find. */
+static void check_plain(const PhotonTree *tree, const NearestQuery *query, const Neighbor *found, int count)
+{
+	static Neighbor plain[MOST + 8 * TREE_SLACK];
+	int got = tree_nearest_plain(tree, query, plain);
+	qsort(plain, (size_t)got, sizeof *plain, compare_neighbors);
+	CHECK(got == count);
+	for (int i = 0; i < got && i < count; i++)
+		CHECK(plain[i].index == found[i].index);
+	WithinQuery all = {{query->center[0], query->center[1], query->center[2]}, 0.1f};
+	Sum one = {0, 0}, other = {0, 0};
+	tree_within_plain(tree, &all, add_found, &one);
+	photon_tree_within(tree, query->center, 0.1f, add_found, &other);
+	CHECK(one.count == other.count);
+}
+
 static void check_query(const PhotonTree *tree, const TestPoint *points, int count, const NearestQuery *query)
 {
 	static Neighbor expected[POINTS], found[MOST + 8 * TREE_SLACK];
@@ -109,6 +126,7 @@ static void check_query(const PhotonTree *tree, const TestPoint *points, int cou
 	CHECK(got == want);
 	for (int i = 0; i < got && i < want; i++)
 		CHECK(found[i].index == expected[i].index && fabsf(found[i].distance2 - expected[i].distance2) <= 1e-6f);
+	check_plain(tree, query, found, got);
 	if (query->range)
 		return;
 	NearestQuery all = {{query->center[0], query->center[1], query->center[2]}, 0.01f, POINTS, NULL};

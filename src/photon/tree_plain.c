@@ -1,0 +1,129 @@
+/* The queries for any processor, in loops of eight that the compiler may vectorise. */
+#include "photon/tree_build.h"
+
+#include <math.h>
+
+#define INLINE static inline __attribute__((always_inline))
+
+typedef struct Eight { float at[TREE_WIDTH]; } Eight;
+
+INLINE Eight eight_load(const float *at)
+{
+	Eight a;
+	for (int i = 0; i < TREE_WIDTH; i++)
+		a.at[i] = at[i];
+	return a;
+}
+
+INLINE void eight_store(float *at, Eight a)
+{
+	for (int i = 0; i < TREE_WIDTH; i++)
+		at[i] = a.at[i];
+}
+
+INLINE Eight eight_leaf(const TreeLeaf *leaf, const float p[3])
+{
+	Eight d2;
+	for (int i = 0; i < TREE_WIDTH; i++) {
+		float dx = leaf->at[0][i] - p[0], dy = leaf->at[1][i] - p[1], dz = leaf->at[2][i] - p[2];
+		d2.at[i] = dx * dx + dy * dy + dz * dz;
+	}
+	return d2;
+}
+
+/* How far p is outside of the interval. */
+INLINE float outside(float lo, float hi, float p)
+{
+	float below = lo - p, above = p - hi, most = below > above ? below : above;
+	return most > 0 ? most : 0;
+}
+
+INLINE Eight eight_box(const TreeBoxes *boxes, const float p[3])
+{
+	Eight d2;
+	for (int i = 0; i < TREE_WIDTH; i++) {
+		float dx = outside(boxes->lo[0][i], boxes->hi[0][i], p[0]);
+		float dy = outside(boxes->lo[1][i], boxes->hi[1][i], p[1]);
+		float dz = outside(boxes->lo[2][i], boxes->hi[2][i], p[2]);
+		d2.at[i] = dx * dx + dy * dy + dz * dz;
+	}
+	return d2;
+}
+
+INLINE unsigned eight_less(Eight a, float bound)
+{
+	unsigned mask = 0;
+	for (int i = 0; i < TREE_WIDTH; i++)
+		mask |= (unsigned)(a.at[i] < bound) << i;
+	return mask;
+}
+
+INLINE unsigned eight_most(Eight a, float bound)
+{
+	unsigned mask = 0;
+	for (int i = 0; i < TREE_WIDTH; i++)
+		mask |= (unsigned)(a.at[i] <= bound) << i;
+	return mask;
+}
+
+INLINE int eight_least(Eight a)
+{
+	int least = 0;
+	for (int i = 1; i < TREE_WIDTH; i++)
+		least = a.at[i] < a.at[least] ? i : least;
+	return least;
+}
+
+INLINE unsigned eight_lights(const uint16_t *lights, uint16_t light)
+{
+	unsigned mask = 0;
+	for (int i = 0; i < TREE_WIDTH; i++)
+		mask |= (unsigned)(lights[i] == light) << i;
+	return mask;
+}
+
+/* The indices may lie where they are packed to, ahead of the place. */
+INLINE void eight_compact(float *distance2, uint32_t *index, Eight d2, const uint32_t *from,
+                          unsigned mask)
+{
+	int count = 0;
+	for (int i = 0; i < TREE_WIDTH; i++) {
+		distance2[count] = d2.at[i];
+		index[count] = from[i];
+		count += mask >> i & 1;
+	}
+}
+
+INLINE void eight_pairs(Neighbor *out, Eight d2, const uint32_t *from, unsigned mask)
+{
+	int count = 0;
+	for (int i = 0; i < TREE_WIDTH; i++) {
+		out[count] = (Neighbor){d2.at[i], from[i]};
+		count += mask >> i & 1;
+	}
+}
+
+INLINE int eight_count(const float *values, int count, float bound)
+{
+	int lanes[TREE_WIDTH] = {0}, sum = 0;
+	for (int i = 0; i < count; i += TREE_WIDTH) {
+		for (int k = 0; k < TREE_WIDTH; k++)
+			lanes[k] += values[i + k] < bound;
+	}
+	for (int k = 0; k < TREE_WIDTH; k++)
+		sum += lanes[k];
+	return sum;
+}
+
+/* The largest finite one. */
+INLINE float eight_farthest(const float *values, int count)
+{
+	float most = 0;
+	for (int i = 0; i < count; i++)
+		most = values[i] > most && values[i] < INFINITY ? values[i] : most;
+	return most;
+}
+
+#define QUERY_NEAREST tree_nearest_plain
+#define QUERY_WITHIN tree_within_plain
+#include "photon/tree_query.h"
