@@ -1,1 +1,1 @@
-dist_man_MANS += man/cognac.1 man/cognac-compare.1 man/cognac-language.5
+dist_man_MANS += man/cognac.1 man/cognac-compare.1 man/cognac-merge.1 man/cognac-language.5

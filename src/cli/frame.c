@@ -85,8 +85,10 @@ static uint64_t resume_key(const FrameJob *job)
 	                      o->jitter_amount, o->antialias_gamma, o->alpha, job->frame, (unsigned long long)o->seed,
 	                      animation_clock(job->animation, o, job->frame));
 	uint64_t hash = hash_file(hash_text(0xcbf29ce484222325u, text, (size_t)length), o->input);
-	for (int i = 0; i < o->constant_count; i++)
-		hash = hash_text(hash, o->constants[i].text, strlen(o->constants[i].text));
+	for (int i = 0; i < o->constant_count; i++) {
+		hash = hash_text(hash, o->constants[i].name, strlen(o->constants[i].name) + 1);
+		hash = hash_text(hash, o->constants[i].text, strlen(o->constants[i].text) + 1);
+	}
 	return hash;
 }
 
@@ -263,6 +265,15 @@ static Status run_work(FrameWork *work)
 	return trace(work);
 }
 
+/* Of a picture that is not rendered whole; else all zero. */
+static ImageRegion named_region(const FrameJob *job)
+{
+	const FilmRect *r = &job->region;
+	bool whole = r->x0 <= 0 && r->y0 <= 0 && r->x1 == job->options->width && r->y1 == job->options->height;
+	return whole ? (ImageRegion){0}
+	             : (ImageRegion){r->x0, r->y0, r->x1 > r->x0 ? r->x1 : r->x0, r->y1 > r->y0 ? r->y1 : r->y0};
+}
+
 Status frame_render(const FrameJob *job, FrameStatistics *sum)
 {
 	const Options *options = job->options;
@@ -271,7 +282,8 @@ Status frame_render(const FrameJob *job, FrameStatistics *sum)
 	work.state_path = arena_printf(options->arena, "%s.state", work.path);
 	work.key = resume_key(job);
 	work.line = progress_line(!options->verbose_said || options->verbose);
-	work.origin = (OutputOrigin){.scene = options->input, .switches = job->switches, .seed = options->seed};
+	work.origin = (OutputOrigin){.scene = options->input, .switches = job->switches, .seed = options->seed,
+	                             .region = named_region(job)};
 	Status status = run_work(&work);
 	film_destroy(work.film);
 	scene_destroy(work.scene);

@@ -135,15 +135,18 @@ static bool write_layers(const Options *options, const Film *film, const OutputO
 			                                 .stride = width, .half = layer != FILM_DEPTH};
 		}
 	}
-	const ExrAttribute attributes[] = {
+	char region[IMAGE_REGION_TEXT];
+	image_region_write(&origin->region, region);
+	ExrAttribute attributes[8] = {
 		{"scene", origin->scene}, {"seed", arena_printf(arena, "%llu", (unsigned long long)origin->seed)},
 		{"passes", arena_printf(arena, "%u", film_passes(film) ? film_passes(film) : 1)},
 		{"switches", origin->switches}, {"software", PACKAGE_STRING},
 		{"photons", arena_printf(arena, "%llu", (unsigned long long)origin->passes.photons.stored)},
 		{"radius", arena_printf(arena, "%.9g", origin->passes.radius)},
 	};
-	int left_out = origin->passes.has_photons ? 0 : 2; /* the last, which are about photons */
-	int attribute_count = (int)(sizeof attributes / sizeof *attributes) - left_out;
+	int attribute_count = origin->passes.has_photons ? 7 : 5; /* the last two are about photons */
+	if (image_region_is_part(&origin->region))
+		attributes[attribute_count++] = (ExrAttribute){"region", region};
 	ExrImage image = {color.width, color.height, count, channels, attribute_count, attributes};
 	bool good = exr_write(path, &image, diag);
 	free(color.pixels);
@@ -158,6 +161,7 @@ bool output_write(const Options *options, const Film *film, const OutputOrigin *
 	ImageEncoding encoding = {
 		.format = options->format, .bits = options->bits, .alpha = options->alpha, .gray = options->gray,
 		.dither = options->dither, .gamma = options->file_gamma, .quality = options->compression,
+		.region = origin->region,
 	};
 	Image image = linear_image(film, origin->settings);
 	bool good = image_write(path, &encoding, &image, diag);

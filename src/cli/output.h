@@ -3,6 +3,7 @@
 #define CLI_OUTPUT_H
 
 #include "cli/animation.h"
+#include "image/image.h"
 #include "render/passes.h"
 #include "scene/scene.h"
 
@@ -18,6 +19,7 @@ typedef struct OutputOrigin {
 	const char *scene, *switches;
 	uint64_t seed;
 	const Settings *settings; /* of the scene: its gamma */
+	ImageRegion region;       /* that is rendered, when it is a part */
 	PassStatistics passes;    /* zeros while the picture is unfinished */
 } OutputOrigin;
 

@@ -2,6 +2,7 @@
 
 #include <errno.h>
 #include <math.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -53,6 +54,25 @@ Image *image_create(int width, int height, int channels, const char *path, Diag 
 	image->channels = channels;
 	image->bits = 8;
 	return image;
+}
+
+void image_region_write(const ImageRegion *region, char text[IMAGE_REGION_TEXT])
+{
+	snprintf(text, IMAGE_REGION_TEXT, "%d %d %d %d", region->x0, region->y0, region->x1, region->y1);
+}
+
+ImageRegion image_region_read(const char *text)
+{
+	ImageRegion r = {0};
+	if (sscanf(text, "%9d %9d %9d %9d", &r.x0, &r.y0, &r.x1, &r.y1) != 4 || r.x0 < 0 || r.y0 < 0 || r.x1 < r.x0 ||
+	    r.y1 < r.y0)
+		return (ImageRegion){0};
+	return r;
+}
+
+bool image_region_is_part(const ImageRegion *region)
+{
+	return region->x0 || region->y0 || region->x1 || region->y1;
 }
 
 void image_destroy(Image *image)

@@ -50,6 +50,16 @@ static void read_gamma(Reading *r)
 		r->image->gamma = 1 / stored;
 }
 
+static void read_region(Reading *r)
+{
+	png_textp texts = NULL;
+	int count = 0;
+	png_get_text(r->png, r->info, &texts, &count);
+	for (int i = 0; i < count; i++)
+		if (strcmp(texts[i].key, "Region") == 0 && texts[i].text)
+			r->image->region = image_region_read(texts[i].text);
+}
+
 static void read_palette(Reading *r)
 {
 	png_colorp colors = NULL;
@@ -114,6 +124,7 @@ static void read_image(Reading *r)
 		png_longjmp(r->png, 1);
 	r->image->bits = depth;
 	read_gamma(r);
+	read_region(r);
 	if (palette)
 		read_palette(r);
 	read_rows(r);
@@ -159,8 +170,13 @@ static void write_header(png_structp png, png_infop info, const ImageValues *v, 
 	png_byte bits = (png_byte)encoding->bits;
 	png_color_8 significant = {bits, bits, bits, bits, bits};
 	png_set_sBIT(png, info, &significant);
-	png_text text = {.compression = PNG_TEXT_COMPRESSION_NONE, .key = (char *)"Software", .text = (char *)"cognac"};
-	png_set_text(png, info, &text, 1);
+	char region[IMAGE_REGION_TEXT];
+	image_region_write(&encoding->region, region);
+	png_text texts[] = {
+		{.compression = PNG_TEXT_COMPRESSION_NONE, .key = (char *)"Software", .text = (char *)"cognac"},
+		{.compression = PNG_TEXT_COMPRESSION_NONE, .key = (char *)"Region", .text = region},
+	};
+	png_set_text(png, info, texts, image_region_is_part(&encoding->region) ? 2 : 1);
 	png_write_info(png, info);
 }
 

@@ -20,6 +20,7 @@ typedef struct ImageEncoding {
 	bool dither;      /* Floyd-Steinberg */
 	double gamma;     /* of the values in the file */
 	int quality;      /* JPEG, 2 to 100 */
+	ImageRegion region; /* of a part: PNG names it */
 } ImageEncoding;
 
 /* The extension with its dot: ".png". */
