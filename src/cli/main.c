@@ -49,6 +49,10 @@ static const char *joined(Arena *arena, int count, char **words)
 static bool read_first_ini(Options *options, Diag *diag)
 {
 	const char *named = getenv("POVINI"), *home = getenv("HOME");
+	if (named && *named && access(named, R_OK) != 0) {
+		diag_note(diag, "POVINI names %s, which cannot be read", named);
+		return true;
+	}
 	if (named && *named)
 		return options_read_ini(options, named, diag);
 	if (access("povray.ini", R_OK) == 0)
