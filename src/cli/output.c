@@ -86,7 +86,8 @@ static Image linear_image(const Film *film, const Settings *settings)
 unsigned output_layers(const Options *options, bool photons)
 {
 	unsigned of_photons = 1u << FILM_DIRECT | 1u << FILM_CAUSTIC | 1u << FILM_PHOTON_COUNT |
-	                      1u << FILM_PHOTON_PARAMETER | 1u << FILM_PHOTON_EDGES;
+	                      1u << FILM_PHOTON_PARAMETER | 1u << FILM_PHOTON_EDGES |
+	                      1u << FILM_PHOTON_CONSTRAINT;
 	if (options->format != IMAGE_EXR)
 		return 1u << FILM_COLOR;
 	return ((1u << FILM_LAYER_COUNT) - 1) & ~(photons ? 0 : of_photons);

@@ -31,6 +31,7 @@ typedef struct GatherResult {
 	double radius;  /* of the search */
 	Rgb parameter;  /* mean emitter coordinates as a colour (SJ13 Fig. 6e); black: no photons */
 	float edges;    /* mean number of path edges (Fig. 6f) */
+	float constraint; /* 1 - mean length of v_b (Fig. 6g): 0 where relaxation let photons move freely */
 } GatherResult;
 
 typedef struct DensityEstimator DensityEstimator;

@@ -31,6 +31,9 @@ void gather_add(GatherSum *sum, const Photon *photon, double kernel)
 	sum->photons++;
 	sum->edges += photon->edges;
 	add_parameter(sum, photon);
+	const PhotonMap *map = sum->task->map;
+	if (map->constraint)
+		sum->constraint += 1 - map->constraint[photon - map->photons];
 	if (kernel == 0)
 		return;
 	Rgb value = sum->task->bsdf(sum->task->data, photon_direction(photon));
@@ -51,6 +54,7 @@ void gather_finish(const GatherSum *sum, double radius, GatherResult *result)
 	result->radiance = rgb((float)l[0], (float)l[1], (float)l[2]);
 	result->parameter = rgb((float)(share * p[0]), (float)(share * p[1]), (float)(share * p[2]));
 	result->edges = (float)(share * sum->edges);
+	result->constraint = (float)(share * sum->constraint);
 }
 
 int gather_filter(const GatherTask *task, double radius, Neighbor *found, int count)

@@ -17,7 +17,7 @@ bool gather_accepts(const GatherPoint *point, const Photon *photon, double radiu
 /* Sums in double precision, so that the photons' order hardly shows. */
 typedef struct GatherSum {
 	const GatherTask *task;
-	double radiance[3], parameter[3], edges;
+	double radiance[3], parameter[3], edges, constraint;
 	int photons;
 } GatherSum;
 

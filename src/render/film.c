@@ -26,7 +26,7 @@ static const LayerInfo layer_info[FILM_LAYER_COUNT] = {
 	[FILM_COLOR] = {"RGBA", 4, 0}, [FILM_DIRECT] = {"direct", 3, 4}, [FILM_CAUSTIC] = {"caustic", 3, 7},
 	[FILM_ALBEDO] = {"albedo", 3, 10}, [FILM_NORMAL] = {"N", 3, 13}, [FILM_DEPTH] = {"Z", 1, 16},
 	[FILM_PHOTON_COUNT] = {"photons.count", 1, 17}, [FILM_PHOTON_PARAMETER] = {"photons.parameter", 3, 18},
-	[FILM_PHOTON_EDGES] = {"photons.edges", 1, 21},
+	[FILM_PHOTON_EDGES] = {"photons.edges", 1, 21}, [FILM_PHOTON_CONSTRAINT] = {"photons.constraint", 1, 22},
 };
 
 static size_t pixel_count(const Film *film)

@@ -21,11 +21,12 @@ typedef enum FilmLayer {
 	FILM_PHOTON_COUNT,     /* "photons.count", 1: photons gathered where the eye ray first met something */
 	FILM_PHOTON_PARAMETER, /* "photons.parameter", 3: their mean emitter coordinates as a colour */
 	FILM_PHOTON_EDGES,     /* "photons.edges", 1: their mean number of path edges */
+	FILM_PHOTON_CONSTRAINT, /* "photons.constraint", 1: how much relaxation held them, 0 not at all, 1 across the feature */
 	FILM_LAYER_COUNT
 } FilmLayer;
 
 enum {
-	FILM_CHANNELS = 22,     /* of all layers together */
+	FILM_CHANNELS = 23,     /* of all layers together */
 	FILM_LIGHT_CHANNELS = 10 /* of the layers that come first and hold light; samples of a pixel are averaged in these */
 };
 

@@ -4,6 +4,7 @@
 
 #include "base/clock.h"
 #include "base/random.h"
+#include "photon/relax.h"
 #include "render/caustics.h"
 #include "render/reduction.h"
 
@@ -60,8 +61,10 @@ static PhotonMap *trace_photons(Passes *passes)
 	};
 	PhotonStatistics statistics;
 	PhotonMap *map = photon_trace(passes->job->scene, &options, &statistics);
-	if (map)
-		add_photon_statistics(&passes->statistics->photons, &statistics);
+	if (!map)
+		return NULL;
+	add_photon_statistics(&passes->statistics->photons, &statistics);
+	photon_relax_scene(map, passes->job->scene, NULL);
 	return map;
 }
 

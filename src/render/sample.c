@@ -66,6 +66,7 @@ static void set_first(const FirstHit *first, FilmPixel *out)
 	set_rgb(out->v + film_layer_offset(FILM_PHOTON_PARAMETER), first->parameter);
 	out->v[film_layer_offset(FILM_PHOTON_COUNT)] = first->photons;
 	out->v[film_layer_offset(FILM_PHOTON_EDGES)] = first->edges;
+	out->v[film_layer_offset(FILM_PHOTON_CONSTRAINT)] = first->constraint;
 	normal[0] = (float)first->normal.x;
 	normal[1] = (float)first->normal.y;
 	normal[2] = (float)first->normal.z;

@@ -123,6 +123,7 @@ static void add_caustic(const Tracer *tracer, const LitPoint *lit, const Bsdf *b
 		first->photons = (float)found.photons;
 		first->parameter = found.parameter;
 		first->edges = found.edges;
+		first->constraint = found.constraint;
 	}
 }
 

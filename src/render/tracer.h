@@ -61,6 +61,7 @@ typedef struct FirstHit {
 	float photons;           /* that were gathered */
 	Rgb parameter;           /* their mean emitter coordinates as a colour */
 	float edges;             /* their mean number of path edges */
+	float constraint;        /* how much relaxation held them, in [0, 1] */
 } FirstHit;
 
 void tracer_init(Tracer *tracer, const Scene *scene, const RenderOptions *options);
