@@ -21,9 +21,9 @@ EXTRA_DIST += tests/layering.sh
 
 # The command line and the manual pages.
 CLI_TESTS = tests/cli/animation.sh tests/cli/ini.sh tests/cli/interrupt.sh tests/cli/make.sh tests/cli/merge.sh \
-	tests/cli/output.sh tests/cli/words.sh tests/man.sh
+	tests/cli/output.sh tests/cli/ply.sh tests/cli/words.sh tests/man.sh
 check_SCRIPTS += $(CLI_TESTS)
-EXTRA_DIST += $(CLI_TESTS) tests/cli/common.sh
+EXTRA_DIST += $(CLI_TESTS) tests/cli/common.sh tests/cli/read_ply.py
 
 # POV-Ray's samples: a few of them in `make check`, all of them in `make check-povray`.
 check_SCRIPTS += tests/povray/subset.sh

@@ -12,6 +12,15 @@ camera { location -z * 4 look_at 0 }
 light_source { <3, 4, -5> rgb 1 }
 sphere { 0, 1 pigment { rgb <1, 0.5, 0.2> } }
 END
+# A ball of glass and the light it gathers.
+cat >caustic.pov <<'END'
+#version 3.7;
+global_settings { photons { count 4000 } }
+camera { location <0, 3, -5> look_at -y }
+light_source { <3, 6, 2> rgb 1 }
+sphere { 0, 1 pigment { rgbt 1 } interior { ior 1.5 } photons { target refraction on collect off } }
+plane { y, -1.5 pigment { rgb 1 } }
+END
 cat >tell.pov <<'END'
 #version 3.7;
 #debug concat("@", str(frame_number, 0, 0), " ", str(initial_frame, 0, 0), " ", str(final_frame, 0, 0), " ",
