@@ -38,10 +38,9 @@ light_source {
 // One side's limbs; the other side is its mirror image.
 #macro Limb(A, B, C, Thick)
   sphere_sweep {
-    b_spline
-    6,
-    A * 2 - B, Thick, A, Thick, B, Thick, C, Thick * 0.55, C + (C - B) * 0.2, Thick * 0.25, C + (C - B) * 0.4, Thick * 0.1
-    tolerance 0.001
+    linear_spline
+    4,
+    A, Thick, A * 0.45 + B * 0.55 + y * 0.12, Thick * 1.15, B, Thick * 0.8, C, Thick * 0.3
   }
 #end
 

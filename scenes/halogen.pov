@@ -2,12 +2,12 @@
 // Plain POV-Ray 3.7; one unit is ten centimetres. Declare=Photon_Count=N for more photons.
 #version 3.7;
 
-#ifndef (Photon_Count) #declare Photon_Count = 150000; #end
+#ifndef (Photon_Count) #declare Photon_Count = 250000; #end
 
 global_settings {
   assumed_gamma 1.0
   max_trace_level 6
-  photons { count Photon_Count autostop 0 }
+  photons { count Photon_Count autostop 0 gather 10, 40 }
 }
 
 camera {
@@ -21,8 +21,8 @@ background { color rgb 0.01 }
 
 #declare Lamp = <1.5, 15, -1.5>;
 #declare Focus = 0.55;  // of the paraboloid that the facets follow
-#declare Rings = 7;
-#declare Facets = 20;
+#declare Rings = 5;
+#declare Facets = 14;
 #declare Depth = 1.3;   // of the reflector
 
 // The point of the reflector on ring I at corner J; it opens downwards and its apex is the origin.
@@ -65,8 +65,8 @@ cylinder {
 
 // The filament stands a little below the focus, so that the patches spread.
 light_source {
-  Lamp - y * (Focus + 0.5)
-  color rgb <1.0, 0.9, 0.75> * 0.28
+  Lamp - y * (Focus + 0.62)
+  color rgb <1.0, 0.9, 0.75> * 0.13
   photons { reflection on }
 }
 
