@@ -21,7 +21,7 @@ EXTRA_DIST += tests/layering.sh
 
 # The command line and the manual pages.
 CLI_TESTS = tests/cli/animation.sh tests/cli/ini.sh tests/cli/interrupt.sh tests/cli/make.sh tests/cli/merge.sh \
-	tests/cli/output.sh tests/cli/ply.sh tests/cli/words.sh tests/man.sh
+	tests/cli/output.sh tests/cli/photons.sh tests/cli/ply.sh tests/cli/words.sh tests/man.sh
 check_SCRIPTS += $(CLI_TESTS)
 EXTRA_DIST += $(CLI_TESTS) tests/cli/common.sh tests/cli/read_ply.py
 
@@ -62,3 +62,11 @@ EXTRA_DIST += tests/photon-brightness.py tests/photons
 check-brightness: cognac$(EXEEXT)
 	python3 $(srcdir)/tests/photon-brightness.py --cognac $(abs_builddir)/cognac$(EXEEXT)
 .PHONY: check-brightness
+
+# Reference images of the scenes with photons, for hours: `make references`, stop it and call it again at will.
+REFERENCE_PASSES = 1000
+EXTRA_DIST += tests/references.sh
+references: cognac$(EXEEXT) cognac-compare$(EXEEXT)
+	COGNAC=$(abs_builddir)/cognac COMPARE=$(abs_builddir)/cognac-compare sh $(srcdir)/tests/references.sh \
+		references $(REFERENCE_PASSES) $$(grep -l 'photons *{' $(srcdir)/scenes/*.pov)
+.PHONY: references

@@ -19,11 +19,11 @@ HERE = pathlib.Path(__file__).resolve().parent
 EXAMPLES = pathlib.Path("/usr/share/doc/povray/examples")
 # Samples: path, and what is replaced to leave out nearly all photons.
 SAMPLES = [
-    ("lights/phot_met_glass", [(r"spacing +0\.03", "spacing 30 radius 1e-9")]),
-    ("lights/glassthing", [(r"spacing +0\.05", "spacing 30 radius 1e-9")]),
-    ("advanced/grenadine/grenadine", [(r"spacing +0\.01", "spacing 30 radius 1e-9")]),
-    ("templates/Radiosity_Photons/80_Photons_scene", [(r"(photons *\{[^}]*?)(count|spacing) +[\d.]+", r"\1spacing 30 radius 1e-9")]),
-    ("templates/Radiosity_Photons/85_Photons_scene1", [(r"(photons *\{[^}]*?)(count|spacing) +[\d.]+", r"\1spacing 30 radius 1e-9")]),
+    ("lights/phot_met_glass", [(r"spacing +0\.03", "spacing 0.3 radius 1e-9")]),
+    ("lights/glassthing", [(r"spacing +0\.05", "spacing 0.3 radius 1e-9")]),
+    ("advanced/grenadine/grenadine", [(r"spacing +0\.01", "spacing 0.3 radius 1e-9")]),
+    ("templates/Radiosity_Photons/80_Photons_scene", [(r"(photons *\{[^}]*?)(count|spacing) +[\d.]+", r"\1spacing 0.3 radius 1e-9")]),
+    ("templates/Radiosity_Photons/85_Photons_scene1", [(r"(photons *\{[^}]*?)(count|spacing) +[\d.]+", r"\1spacing 0.3 radius 1e-9")]),
 ]
 OWN = ["sphere", "ring", "prism", "spot", "mirror", "nested"]
 

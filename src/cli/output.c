@@ -142,7 +142,7 @@ static bool write_layers(const Options *options, const Film *film, const OutputO
 		{"scene", origin->scene}, {"seed", arena_printf(arena, "%llu", (unsigned long long)origin->seed)},
 		{"passes", arena_printf(arena, "%u", film_passes(film) ? film_passes(film) : 1)},
 		{"switches", origin->switches}, {"software", PACKAGE_STRING},
-		{"photons", arena_printf(arena, "%llu", (unsigned long long)origin->passes.photons.stored)},
+		{"photons", arena_printf(arena, "%llu", (unsigned long long)film_photons(film))},
 		{"radius", arena_printf(arena, "%.9g", origin->passes.radius)},
 	};
 	int attribute_count = origin->passes.has_photons ? 7 : 5; /* the last two are about photons */

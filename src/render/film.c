@@ -12,6 +12,7 @@ struct Film {
 	int width, height;
 	unsigned layers;
 	uint32_t passes;                 /* that were averaged */
+	uint64_t photons;
 	float *planes[FILM_LAYER_COUNT]; /* NULL for absent layers */
 	unsigned char *state;            /* PixelState of each pixel */
 	pthread_mutex_t lock;
@@ -86,6 +87,7 @@ Film *film_snapshot(const Film *film)
 			memcpy(copy->planes[i], film->planes[i], plane_bytes(film, i));
 	memcpy(copy->state, film->state, pixel_count(film));
 	copy->passes = film->passes;
+	copy->photons = film->photons;
 	pthread_mutex_unlock(film_lock(film));
 	return copy;
 }
@@ -174,6 +176,16 @@ uint32_t film_passes(const Film *film)
 	return film->passes;
 }
 
+void film_add_photons(Film *film, uint64_t photons)
+{
+	film->photons += photons;
+}
+
+uint64_t film_photons(const Film *film)
+{
+	return film->photons;
+}
+
 void film_average(Film *film, const Film *pass)
 {
 	pthread_mutex_lock(&film->lock);
@@ -198,6 +210,7 @@ typedef struct StateHeader {
 	uint64_t key;
 	int32_t width, height;
 	uint32_t layers, byte_order, passes, reserved;
+	uint64_t photons;
 } StateHeader;
 
 static const char state_magic[16] = "cognac film 2\n";
@@ -207,7 +220,7 @@ static bool write_state(const Film *film, uint64_t key, FILE *file)
 {
 	StateHeader header = {
 		.key = key, .width = film->width, .height = film->height, .layers = film->layers,
-		.byte_order = STATE_BYTE_ORDER, .passes = film->passes,
+		.byte_order = STATE_BYTE_ORDER, .passes = film->passes, .photons = film->photons,
 	};
 	memcpy(header.magic, state_magic, sizeof header.magic);
 	bool good = fwrite(&header, sizeof header, 1, file) == 1 &&
@@ -272,6 +285,7 @@ Film *film_load(const char *path, uint64_t key, Diag *diag)
 	} else {
 		film = film_create(header.width, header.height, header.layers);
 		film->passes = header.passes;
+		film->photons = header.photons;
 		if (!read_planes(film, file)) {
 			diag_fail(diag, "'%s' is cut short", path);
 			film_destroy(film);

@@ -65,7 +65,9 @@ bool film_is_started(const Film *film, int x, int y); /* holds some value, final
 
 /* Takes another film, of the same size and layers, into the mean of those taken before; its pixels count as final. */
 void film_average(Film *film, const Film *pass);
-uint32_t film_passes(const Film *film); /* how many were taken */
+uint32_t film_passes(const Film *film);  /* how many were taken */
+void film_add_photons(Film *film, uint64_t photons);
+uint64_t film_photons(const Film *film); /* that its passes used, those of earlier runs included */
 
 /*
  * The state of an unfinished render, exact, to go on with later. key is the caller's hash of what must be equal (scene,

@@ -110,6 +110,7 @@ static RenderStatus render_once(Passes *passes)
 	if (!map)
 		return status;
 	passes->statistics->passes = 1;
+	film_add_photons(passes->job->film, map->count);
 	return render_with(passes, map, 0, passes->job->film);
 }
 
@@ -159,6 +160,7 @@ static RenderStatus render_pass(Passes *passes, Film *film)
 	PhotonMap *map = trace_photons(passes);
 	if (!map)
 		return RENDER_STOPPED;
+	film_add_photons(film, map->count);
 	double radius = passes->reduction->radius(passes->progressive.radius, passes->pass);
 	RenderStatus status = render_with(passes, map, radius, film);
 	if (status == RENDER_DONE)
@@ -205,6 +207,7 @@ static RenderStatus render_progressive(Passes *passes)
 		status = render_pass(passes, one);
 		if (status == RENDER_DONE) {
 			film_average(film, one);
+			film_add_photons(film, film_photons(one));
 			passes->pass++;
 		}
 		film_destroy(one);

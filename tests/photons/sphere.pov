@@ -3,7 +3,7 @@
 // Count 1 leaves the scene without its caustic: what photons bring is the difference.
 #ifndef (Photons) #declare Photons = 200000; #end
 global_settings { assumed_gamma 1 max_trace_level 12 photons { count Photons #if (Photons = 1) radius 1e-9 #end } }
-camera { orthographic location <0.6, 10, 0> look_at <0.6, 0, 0> right 3*x up 3*z }
+camera { orthographic location <0.6, 0.25, 0> look_at <0.6, 0, 0> right 5*x up 5*z }
 light_source { <-4, 8, 0>, 0.002 }
 plane { y, 0 pigment { rgb 1 } finish { ambient 0 diffuse 1 } }
 sphere {
