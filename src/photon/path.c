@@ -108,7 +108,7 @@ static void make_bsdf(Path *path, const ShadePoint *point, const Shading *shadin
 {
 	const ShadingStack *stack = choose_stack(path, shading);
 	BsdfPlace place = {
-		.from = vec3_neg(path->ray.direction), .geometric = point->at.normal,
+		.from = vec3_neg(path->ray.direction), .geometric = point->at.normal, .world = point->at.world,
 		.ior = inside_ratio_of_hue(&path->inside, point->surface, path->hue),
 		.both_sides = point->surface->double_illuminate,
 		.irid_wavelength = path->scene->settings.irid_wavelength, .grain = 0.5,

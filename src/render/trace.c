@@ -134,6 +134,7 @@ static Seen shade_stack(Tracer *tracer, const PathRay *path, const Shaded *shade
 	const Shading *shading = shaded->shading;
 	BsdfPlace place = {
 		.from = vec3_neg(path->ray.direction), .geometric = point->at.normal,
+		.world = point->at.world,
 		.ior = inside_ratio(&path->inside, point->surface), .both_sides = point->surface->double_illuminate,
 		.legacy = tracer->legacy, .irid_wavelength = tracer->scene->settings.irid_wavelength,
 		.cutoff = tracer->scene->settings.adc_bailout,

@@ -10,6 +10,8 @@
 
 #include <math.h>
 
+#include "surface/noise.h"
+
 static const double PI = 3.14159265358979323846;
 
 /* ---- physics ---- */
@@ -74,6 +76,17 @@ static float layer_opacity(Rgbft color, bool legacy)
 	return 1 - color.filter * (legacy ? rgb_max(rgbft_rgb(color)) : 1) - color.transmit;
 }
 
+/* Turbulence makes the film thinner and thicker, by at most its own share of the thickness. */
+static float film_thickness(const Finish *finish, Vec3 world)
+{
+	if (finish->irid.turbulence == 0)
+		return finish->irid.thickness;
+	Turbulence turbulence = turbulence_default();
+	turbulence.octaves = 5;
+	double noise = turbulence_value(world, &turbulence, NOISE_GENERATOR_DEFAULT);
+	return (float)(finish->irid.thickness * (1 + (2 * noise - 1) * finish->irid.turbulence));
+}
+
 /* A normal that bumps turned away from the viewer is still taken as it is: POV-Ray does. */
 static void init_layer(Bsdf *bsdf, const ShadingLayer *from, const BsdfPlace *place)
 {
@@ -84,6 +97,7 @@ static void init_layer(Bsdf *bsdf, const ShadingLayer *from, const BsdfPlace *pl
 	layer->above = bsdf->through;
 	layer->opacity = layer_opacity(from->color, place->legacy);
 	layer->grain = (float)(from->finish->crand * place->grain);
+	layer->film = from->finish->irid.amount > 0 ? film_thickness(from->finish, place->world) : 0;
 	layer->mirror = layer_mirror(layer, place->from, place->ior);
 	Rgb through = rgbft_transmittance(from->color);
 	if (from->finish->conserve_energy) {
@@ -131,7 +145,7 @@ Rgb bsdf_emission(const Bsdf *bsdf, Rgb ambient_light)
 static Rgb irid_tint(const Bsdf *bsdf, const BsdfLayer *layer, double light_cosine)
 {
 	double eye_cosine = vec3_dot(layer->normal, bsdf->from);
-	double path = 2 * PI * layer->finish->irid.thickness * (light_cosine + eye_cosine);
+	double path = 2 * PI * layer->film * (light_cosine + eye_cosine);
 	float amount = layer->finish->irid.amount;
 	Rgb wave = bsdf->irid_wavelength;
 	return rgb(1 + amount * (float)cos(path / wave.r), 1 + amount * (float)cos(path / wave.g),

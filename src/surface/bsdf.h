@@ -27,6 +27,7 @@ typedef struct BsdfLayer {
 	float opacity;     /* 1 - filter - transmit of this layer */
 	Rgb mirror;        /* reflectance for from */
 	float grain;       /* darkening by crand */
+	float film;        /* irid: the film's thickness at this place */
 } BsdfLayer;
 
 typedef struct Bsdf {
@@ -47,6 +48,7 @@ typedef struct BsdfPlace {
 	bool both_sides;
 	bool legacy;       /* a scene before version 3.7: a filter leaves more of the surface's own light */
 	Rgb irid_wavelength;
+	Vec3 world;        /* the place: where irid's turbulence is taken */
 	double grain;      /* a random number in [0, 1) for crand */
 	double cutoff;     /* layers under one that lets less than this through are left out */
 } BsdfPlace;

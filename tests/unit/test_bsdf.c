@@ -147,8 +147,32 @@ static void check_layers(void)
 	CHECK(rgb_is_black(bsdf.through));
 }
 
+/* A film's turbulence moves its thickness from place to place, within its share; without it every place is the same. */
+static void check_film(void)
+{
+	Finish finish = finish_of(1);
+	finish.irid.amount = 0.5f;
+	finish.irid.thickness = 2;
+	ShadingLayer layer = {{1, 1, 1, 0, 0}, {0, 0, 1}, &finish};
+	BsdfPlace place = {.from = {0, 0, 1}, .geometric = {0, 0, 1}, .ior = 1, .irid_wavelength = {0.25f, 0.18f, 0.14f}};
+	float least = INFINITY, most = -INFINITY;
+	for (int i = 0; i < 100; i++) {
+		Bsdf bsdf;
+		place.world = vec3(0.37 * i, 0.11 * i, 1.7);
+		finish.irid.turbulence = 0;
+		bsdf_init(&bsdf, &layer, 1, &place);
+		CHECK(bsdf.layers[0].film == 2);
+		finish.irid.turbulence = 0.25f;
+		bsdf_init(&bsdf, &layer, 1, &place);
+		least = fminf(least, bsdf.layers[0].film);
+		most = fmaxf(most, bsdf.layers[0].film);
+	}
+	CHECK(least >= 1.5f && least < 1.9f && most > 2.1f && most <= 2.5f);
+}
+
 int main(void)
 {
+	check_film();
 	check_pdf();
 	check_energy();
 	check_brilliance();
