@@ -3,11 +3,11 @@
  * three binary cuts, each at the multiple of the child's size that is nearest to the middle,
  * across the dimension of largest extent.
  *
- * A cut is a selection (Floyd & Rivest 1975): a pivot a little beyond the wanted place, from a
- * sorted sample, leaves about half of the items, the next pivot, a little before it, few. Items
- * are partitioned without branches, each written to the front and to the scratch array, one of
- * which then moves on; by their key's bits made to rise with the float, and their number behind,
- * so no two are equal, not even NaNs.
+ * A cut is a selection (Floyd & Rivest 1975): two codes from a sorted sample, a little to either
+ * side of the wanted place, part the items in three, and the search goes on among the few in the
+ * middle. Items are parted without branches, each written to three places, one of which then moves
+ * on. The code is the key's bits made to rise with the float, with the item's number behind, so no
+ * two are equal, not even NaNs.
  */
 #include <math.h>
 #include <stdbool.h>
@@ -43,22 +43,32 @@ typedef struct Run {
 	uint32_t count;
 } Run;
 
-/* Items of a code under the pivot come first; returns how many. */
-INLINE uint32_t partition(Run run, int words, int axis, uint64_t pivot)
+/* Codes of items: those under `low` come first, those from `high` on last. */
+typedef struct Pivots { uint64_t low, high; } Pivots;
+
+typedef struct Parts { uint32_t first, middle; } Parts;
+
+/* The last grow downwards from the scratch's end, towards the middle ones, which grow from its
+ * start. */
+INLINE Parts partition(Run run, int words, int axis, Pivots pivots)
 {
 	size_t step = (size_t)words, size = sizeof(float) * step;
-	float *front = run.items, *back = run.scratch;
-	for (uint32_t i = 0; i < run.count; i++) {
+	size_t first = 0, middle = 0, last = run.count - 1;
+	for (size_t i = 0; i < run.count; i++) {
 		float *item = run.items + step * i, copy[WORDS_6];
-		size_t below = code_of(item, words, axis) < pivot;
+		uint64_t code = code_of(item, words, axis);
 		memcpy(copy, item, size);
-		memcpy(back, copy, size);
-		memcpy(front, copy, size);
-		front += below * step;
-		back += (1 - below) * step;
+		memcpy(run.items + step * first, copy, size);
+		memcpy(run.scratch + step * middle, copy, size);
+		memcpy(run.scratch + step * last, copy, size);
+		first += code < pivots.low;
+		middle += (code >= pivots.low) & (code < pivots.high);
+		last -= code >= pivots.high;
 	}
-	memcpy(front, run.scratch, (size_t)(back - run.scratch) * sizeof(float));
-	return (uint32_t)((size_t)(front - run.items) / step);
+	memcpy(run.items + step * first, run.scratch, size * middle);
+	memcpy(run.items + step * (first + middle), run.scratch + step * (last + 1),
+	       size * (run.count - first - middle));
+	return (Parts){(uint32_t)first, (uint32_t)middle};
 }
 
 static void sort_codes(uint64_t *codes, int count)
@@ -72,8 +82,8 @@ static void sort_codes(uint64_t *codes, int count)
 	}
 }
 
-/* A code that is most likely a little beyond the wanted item's, on the side of more items. */
-INLINE uint64_t choose_pivot(Run run, uint32_t wanted, int words, int axis)
+/* Two codes that most likely have the wanted item's between them. */
+INLINE Pivots choose_pivots(Run run, uint32_t wanted, int words, int axis)
 {
 	uint64_t codes[MOST_SAMPLES], count = run.count;
 	int samples = count >= 16384 ? MOST_SAMPLES : count >= 1024 ? 31 : count >= 100 ? 9 : 3;
@@ -82,26 +92,34 @@ INLINE uint64_t choose_pivot(Run run, uint32_t wanted, int words, int axis)
 		codes[i] = code_of(run.items + (size_t)words * from, words, axis);
 	}
 	sort_codes(codes, samples);
-	int at = (int)(wanted * (uint64_t)samples / count), beyond = (samples + 8) / 20;
-	at += 2 * (uint64_t)wanted < count ? beyond : -beyond;
-	return codes[at < 0 ? 0 : at < samples ? at : samples - 1];
+	int at = (int)(wanted * (uint64_t)samples / count), beyond = (samples + 8) / 16;
+	int low = at - beyond, high = at + beyond;
+	Pivots pivots = {codes[low > 0 ? low : 0], codes[high < samples ? high : samples - 1]};
+	if (pivots.high <= pivots.low) /* so that at least one item is taken from the others */
+		pivots.high = pivots.low + 1;
+	return pivots;
+}
+
+static Run part_of(Run run, uint32_t first, uint32_t count, int words)
+{
+	size_t at = (size_t)words * first;
+	return (Run){run.items + at, run.scratch + at, count};
 }
 
 /* The first `left` items come before the others along the axis. */
 INLINE void select_items(Run run, uint32_t left, int words, int axis)
 {
 	while (left > 0 && left < run.count) {
-		uint64_t pivot = choose_pivot(run, left, words, axis);
-		uint32_t below = partition(run, words, axis, pivot);
-		if (below == 0) /* the pivot is the first of all */
-			below = partition(run, words, axis, pivot + 1);
-		if (left <= below) {
-			run.count = below;
+		Parts parts = partition(run, words, axis, choose_pivots(run, left, words, axis));
+		uint32_t both = parts.first + parts.middle;
+		if (left <= parts.first) {
+			run.count = parts.first;
+		} else if (left <= both) {
+			run = part_of(run, parts.first, parts.middle, words);
+			left -= parts.first;
 		} else {
-			run.items += (size_t)words * below;
-			run.scratch += (size_t)words * below;
-			run.count -= below;
-			left -= below;
+			run = part_of(run, both, run.count - both, words);
+			left -= both;
 		}
 	}
 }
