@@ -195,6 +195,16 @@ static double srgb_to_linear(double c)
 	return c <= 0.04045 ? c / 12.92 : pow((c + 0.055) / 1.055, 2.4);
 }
 
+/* An sRGB-coded component in the scene's own colours: coded by assumed_gamma, linear when it is 1 or not given. */
+static double srgb_to_scene(const Context *context, double c)
+{
+	double gamma = context->builder->settings.assumed_gamma;
+	if (gamma < 0)
+		return c;
+	double linear = srgb_to_linear(c);
+	return gamma == 0 || gamma == 1 || linear <= 0 ? linear : pow(linear, 1 / gamma);
+}
+
 /* How many components a colour keyword reads, whether the fourth of four is transmit, and whether they are sRGB-coded. */
 typedef struct ColorForm {
 	int size;
@@ -234,7 +244,7 @@ Value expression_color(Context *context, Word keyword, Value of, Location where)
 		result.v[3] = 0;
 	}
 	for (int i = 0; form.srgb && i < 3; i++)
-		result.v[i] = srgb_to_linear(result.v[i]);
+		result.v[i] = srgb_to_scene(context, result.v[i]);
 	return result;
 }
 

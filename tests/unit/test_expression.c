@@ -69,6 +69,13 @@ static void test_colors(void)
 	c = expression_color(&context, W_srgb, vector(0.5, 0.2, 0.03), nowhere);
 	CHECK_NEAR(c.v[0], 0.214041, 1e-6);
 	CHECK_NEAR(c.v[1], 0.033105, 1e-6);
+	builder.settings.assumed_gamma = 2.2; /* POV-Ray's own values */
+	c = expression_color(&context, W_srgb, vector(0.3, 0.5, 0.6), nowhere);
+	CHECK_NEAR(c.v[0], 0.304771, 1e-6);
+	CHECK_NEAR(c.v[2], 0.594524, 1e-6);
+	builder.settings.assumed_gamma = -1;
+	CHECK(expression_color(&context, W_srgb, vector(0.3, 0.5, 0.6), nowhere).v[1] == 0.5);
+	builder.settings.assumed_gamma = 0;
 	c = expression_color(&context, W_rgb, number(0.5), nowhere);
 	CHECK(c.v[2] == 0.5 && c.v[3] == 0 && c.v[4] == 0);
 	CHECK_NEAR(expression_member(&context, vector(1, 2, 3), "gray", nowhere).number, 1.817, 1e-12);
