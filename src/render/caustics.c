@@ -103,7 +103,8 @@ void caustics_gather(const Caustics *caustics, const LitPoint *at, const Bsdf *b
 		return;
 	const Row *row = find_row(caustics, at->surface->estimator);
 	GatherPoint point = {
-		.position = at->p, .normal = bsdf->geometric, .object = (uint16_t)at->surface->id, .both_sides = bsdf_sees_back(bsdf),
+		.position = at->p, .normal = bsdf->geometric, .footprint = at->footprint,
+		.object = (uint16_t)at->surface->id, .both_sides = bsdf_sees_back(bsdf),
 	};
 	estimator_gather(row ? row->estimator : caustics->rows[0].estimator, &point, lobes_per_cosine, (void *)bsdf, result);
 }

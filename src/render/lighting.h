@@ -9,6 +9,7 @@ typedef struct LitPoint {
 	Vec3 p;
 	const Surface *surface;
 	const InsideStack *inside; /* of the ray that sees it */
+	double footprint;          /* width of a sample's share of the picture there */
 } LitPoint;
 
 /* Light of all sources that the surface sends to the viewer. */

@@ -249,6 +249,21 @@ void render_statistics_add(RenderStatistics *sum, const RenderStatistics *part)
 		sum->deepest = part->deepest;
 }
 
+/* From two neighbouring rays in the middle of the picture; antialiased, a sample stands for less than a pixel. */
+static void set_sample_size(const Render *render, Tracer *tracer)
+{
+	int width = film_width(render->film), height = film_height(render->film);
+	int finer = render->options->antialias && render->options->depth > 0 ? render->options->depth : 1;
+	const Camera *camera = &tracer->scene->camera;
+	Ray a, b;
+	Vec2 pinhole = {0.5, 0.5};
+	if (!camera_ray(camera, 0.5 * width, 0.5 * height, width, height, pinhole, &a) ||
+	    !camera_ray(camera, 0.5 * width + 1, 0.5 * height, width, height, pinhole, &b))
+		return;
+	tracer->sample_width = vec3_distance(a.origin, b.origin) / finer;
+	tracer->sample_spread = vec3_distance(a.direction, b.direction) / finer;
+}
+
 static void create_workers(Render *render, const Scene *scene)
 {
 	const RenderOptions *options = render->options;
@@ -257,6 +272,7 @@ static void create_workers(Render *render, const Scene *scene)
 	for (int i = 0; i < render->worker_count; i++) {
 		Worker *worker = &render->workers[i];
 		tracer_init(&worker->tracer, scene, options);
+		set_sample_size(render, &worker->tracer);
 		bool recursive = options->antialias && options->sampling_method == 2;
 		worker->corners = recursive ? corner_grid_create(options->depth, TILE) : NULL;
 	}

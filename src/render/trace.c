@@ -67,6 +67,7 @@ static void next_ray(const PathRay *path, const ShadePoint *point, const BsdfEve
 	next->ray = (Ray){point->at.world, event->to, shade_epsilon(point->at.world), INFINITY};
 	next->level = path->level + (event->kind == BSDF_REFLECT || event->bent);
 	next->depth = path->depth + 1;
+	next->distance = path->distance + point->hit->t;
 	next->reflected = path->reflected || event->kind == BSDF_REFLECT || event->total;
 }
 
@@ -145,7 +146,9 @@ static Seen shade_stack(Tracer *tracer, const PathRay *path, const Shaded *shade
 	place.grain = grainy ? sampler_next(&tracer->sampler) : 0;
 	Bsdf bsdf;
 	bsdf_init(&bsdf, &shading->layers[stack->first], stack->count, &place);
-	LitPoint lit = {point->at.world, point->surface, &path->inside};
+	double distance = path->distance + point->hit->t;
+	double footprint = tracer->sample_width + tracer->sample_spread * distance;
+	LitPoint lit = {point->at.world, point->surface, &path->inside, footprint};
 	Seen sum = {.color = bsdf_emission(&bsdf, tracer->ambient_light)};
 	sum.color = rgb_add(sum.color, lighting_at(tracer, &lit, &bsdf));
 	if (tracer->caustics)

@@ -33,6 +33,7 @@ typedef struct Tracer {
 	bool *grid_known;
 	InsideStack eye;         /* what the camera is in */
 	Vec3 eye_place;          /* where that was found out */
+	double sample_width, sample_spread; /* of a sample's share of the picture, at the eye and per distance from it */
 	Sampler sampler;         /* set for each sample of a pixel */
 	RenderStatistics statistics;
 } Tracer;
@@ -43,6 +44,7 @@ typedef struct PathRay {
 	int level;               /* reflections and refractions so far */
 	int depth;               /* crossings of any kind so far */
 	bool reflected;          /* for no_image and no_reflection */
+	double distance;         /* from the eye to the ray's start, along the path */
 	InsideStack inside;
 } PathRay;
 
