@@ -70,3 +70,8 @@ references: cognac$(EXEEXT) cognac-compare$(EXEEXT)
 	COGNAC=$(abs_builddir)/cognac COMPARE=$(abs_builddir)/cognac-compare sh $(srcdir)/tests/references.sh \
 		references $(REFERENCE_PASSES) $$(grep -l 'photons *{' $(srcdir)/scenes/*.pov)
 .PHONY: references
+
+# Footprints beside k nearest photons, on a map from emitter to floor that is known.
+EXTRA_PROGRAMS += tests/bench/footprint_trial
+tests_bench_footprint_trial_SOURCES = tests/bench/footprint_trial.c
+tests_bench_footprint_trial_LDADD = libdensity.a libphoton.a libscene.a libbase.a

@@ -15,7 +15,7 @@ struct DensityEstimator {
 static const EstimatorMethod *const methods[] = {
 	[ESTIMATOR_NEAREST] = &nearest_method,
 	[ESTIMATOR_DIFFUSION] = &diffusion_method,
-	[ESTIMATOR_FOOTPRINT] = NULL,
+	[ESTIMATOR_FOOTPRINT] = &footprint_method,
 	[ESTIMATOR_DEEP] = NULL,
 	[ESTIMATOR_ADAPTIVE] = NULL,
 };

@@ -5,3 +5,6 @@ tests_unit_test_kernel_LDADD = libdensity.a libbase.a
 check_PROGRAMS += tests/unit/test_density
 tests_unit_test_density_SOURCES = tests/unit/test_density.c tests/unit/check.h
 tests_unit_test_density_LDADD = libdensity.a libphoton.a libscene.a libbase.a
+check_PROGRAMS += tests/unit/test_footprint
+tests_unit_test_footprint_SOURCES = tests/unit/test_footprint.c tests/unit/check.h
+tests_unit_test_footprint_LDADD = libdensity.a libphoton.a libscene.a libbase.a

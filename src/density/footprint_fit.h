@@ -1,0 +1,43 @@
+/*
+ * A smooth map from an emitter's parameters to a surface, fitted to a photon's neighbours: to
+ * second order,
+ *
+ *   x(d) = J d + d H d / 2,     two coordinates each of d (parameters) and x (the surface's plane),
+ *
+ * by weighted least squares through the photon itself, which is the origin of both.
+ */
+#ifndef DENSITY_FOOTPRINT_FIT_H
+#define DENSITY_FOOTPRINT_FIT_H
+
+#include <stdbool.h>
+
+/* A symmetric 2 x 2 matrix. */
+typedef struct Symmetric { double uu, uv, vv; } Symmetric;
+
+typedef struct FitSample {
+	double d[2]; /* in the parameters, relative to the photon, the farthest neighbour about 1 away */
+	double x[2]; /* on the surface, relative to the photon */
+} FitSample;
+
+typedef struct FootprintFit {
+	double jacobian[2][2]; /* of coordinate i by parameter j */
+	Symmetric hessian[2];  /* of coordinate i */
+	Symmetric residual;    /* mean square of what the fit leaves */
+	double roughness;      /* residual's share of the samples' mean square, 0..1 */
+} FootprintFit;
+
+enum { FIT_MOST_SAMPLES = 64 };
+
+/* False when the samples don't say: fewer than six or in a line. */
+bool footprint_fit(const FitSample *samples, int count, FootprintFit *fit);
+
+/* Where the map takes a round normal distribution of the parameters of variance s2: mean and
+ * covariance, exact for the quadratic map. */
+typedef struct FootprintSpread {
+	double mean[2];
+	Symmetric linear, curved; /* parts of the covariance */
+} FootprintSpread;
+
+FootprintSpread footprint_spread(const FootprintFit *fit, double s2);
+
+#endif

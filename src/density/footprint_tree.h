@@ -1,0 +1,34 @@
+/*
+ * Which footprints cover a point: a tree of boxes, eight children a node, over footprints ordered
+ * by size and then along a space-filling curve, so that a few large ones don't widen the boxes of
+ * many small ones. Implicit: the children of box i of a level are the boxes 8 i .. 8 i + 7 of the
+ * level below, and below the lowest are the footprints.
+ */
+#ifndef DENSITY_FOOTPRINT_TREE_H
+#define DENSITY_FOOTPRINT_TREE_H
+
+#include <stdint.h>
+
+#include "base/vec.h"
+
+enum { FOOTPRINT_LEVELS = 12 };
+
+/* Eight boxes; empty ones have lo over hi. */
+typedef struct FootprintNode { float lo[3][8], hi[3][8]; } FootprintNode;
+
+typedef struct FootprintTree {
+	FootprintNode *nodes;
+	uint32_t level_start[FOOTPRINT_LEVELS], level_count[FOOTPRINT_LEVELS]; /* from the lowest: nodes of each level */
+	int levels;
+} FootprintTree;
+
+/* The order in which footprints of these boxes are to stand. */
+void footprint_tree_order(const Box3 *boxes, uint32_t count, uint32_t *order);
+/* boxes in that order. The nodes are the caller's to free. */
+FootprintTree footprint_tree_build(const Box3 *boxes, uint32_t count);
+
+/* Hands over every footprint whose box meets the box, in ascending order. */
+typedef void FootprintVisit(void *data, uint32_t footprint);
+void footprint_tree_visit(const FootprintTree *tree, Box3 box, FootprintVisit *visit, void *data);
+
+#endif

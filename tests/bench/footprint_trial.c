@@ -1,0 +1,144 @@
+/*
+ * The footprint estimator beside k nearest photons, on a map from emitter to floor that is known:
+ * light refracted by a wavy sheet, with folds. The reference counts a great number of photons in
+ * each pixel. Prints RMSE (mean density: 1) and microseconds a gather for each number of photons.
+ *
+ *   footprint_trial [photons ...]
+ */
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+
+#include "base/clock.h"
+#include "base/random.h"
+#include "density/estimator.h"
+
+enum { SIDE = 160, REFERENCE_SIDE = 2400 };
+
+/* The sheet reaches a little over the floor's square [0, 1]^2, so that the square has no border. */
+static const double margin = 0.15;
+
+static void floor_of(double u, double v, double *x, double *y)
+{
+	double a = 2 * M_PI;
+	*x = u + 0.035 * cos(a * (2 * u + v)) + 0.03 * cos(a * (3 * u - 2 * v) + 1) + 0.012 * cos(a * 5 * v + 2);
+	*y = v + 0.0175 * cos(a * (2 * u + v)) - 0.02 * cos(a * (3 * u - 2 * v) + 1) + 0.02 * cos(a * 4 * v);
+}
+
+static void add_sample(double *image, double u, double v, double flux)
+{
+	double x, y;
+	floor_of(u, v, &x, &y);
+	int i = (int)floor(x * SIDE), j = (int)floor(y * SIDE);
+	if (i >= 0 && i < SIDE && j >= 0 && j < SIDE)
+		image[j * SIDE + i] += flux * SIDE * SIDE;
+}
+
+static double *make_reference(void)
+{
+	double *image = calloc(SIDE * SIDE, sizeof *image), width = 1 + 2 * margin;
+	double flux = width * width / REFERENCE_SIDE / REFERENCE_SIDE;
+	for (int j = 0; j < REFERENCE_SIDE; j++)
+		for (int i = 0; i < REFERENCE_SIDE; i++)
+			add_sample(image, (i + 0.5) / REFERENCE_SIDE * width - margin, (j + 0.5) / REFERENCE_SIDE * width - margin, flux);
+	return image;
+}
+
+/* count photons on the sheet's part over the floor. */
+static PhotonMap *make_map(long count, int pass)
+{
+	PhotonMap *map = photon_map_create();
+	double width = 1 + 2 * margin;
+	map->count = (uint32_t)(count * width * width);
+	map->photons = calloc(map->count, sizeof(Photon));
+	map->lights = calloc(1, sizeof(PhotonLight));
+	map->light_count = 1;
+	map->lights[0] = (PhotonLight){map->count, width * width, 2};
+	for (uint32_t i = 0; i < map->count; i++) {
+		uint64_t number = (uint64_t)pass * map->count + i + 1;
+		double u = random_halton(number, 0) * width - margin, v = random_halton(number, 1) * width - margin, x, y;
+		floor_of(u, v, &x, &y);
+		Photon *p = &map->photons[i];
+		*p = (Photon){.position = {(float)x, 0, (float)y}, .emitter = {(float)u, (float)v}, .edges = 2};
+		photon_set_flux(p, rgb_scale(rgb(1, 1, 1), (float)(1.0 / (double)count)));
+		photon_set_direction(p, vec3(0, 1, 0));
+		photon_set_normal(p, vec3(0, 1, 0));
+	}
+	photon_map_index(map, 0);
+	return map;
+}
+
+static Rgb white(void *data, Vec3 direction)
+{
+	(void)data;
+	(void)direction;
+	return rgb(1, 1, 1);
+}
+
+static void add_estimate(const PhotonMap *map, const Estimator *method, double radius, double *image, double *seconds)
+{
+	Diag *diag = diag_create(NULL);
+	PhotonSettings settings = photon_settings_default();
+	EstimatorSetup setup = {method, &settings, map, radius};
+	DensityEstimator *estimator = estimator_create(&setup, diag);
+	double start = clock_cpu();
+	for (int j = 0; j < SIDE; j++) {
+		for (int i = 0; i < SIDE; i++) {
+			GatherPoint point = {.position = vec3((i + 0.5) / SIDE, 0, (j + 0.5) / SIDE), .normal = vec3(0, 1, 0),
+			                     .footprint = 1.0 / SIDE};
+			GatherResult result;
+			estimator_gather(estimator, &point, white, NULL, &result);
+			image[j * SIDE + i] += result.radiance.r;
+		}
+	}
+	*seconds = clock_cpu() - start;
+	estimator_destroy(estimator);
+	diag_destroy(diag);
+}
+
+static double error_of(const double *image, double scale, const double *reference)
+{
+	double sum = 0;
+	for (int i = 0; i < SIDE * SIDE; i++)
+		sum += (scale * image[i] - reference[i]) * (scale * image[i] - reference[i]);
+	return sqrt(sum / (SIDE * SIDE));
+}
+
+static double measure(const PhotonMap *map, const Estimator *method, const double *reference, double *seconds)
+{
+	double *image = calloc(SIDE * SIDE, sizeof *image);
+	add_estimate(map, method, 0, image, seconds);
+	double error = error_of(image, 1, reference);
+	free(image);
+	return error;
+}
+
+static void compare(long photons, const double *reference)
+{
+	static const int counts[] = {8, 15, 25, 50, 100, 200};
+	static const double scales[] = {0.5, 0.7, 1, 1.4, 2, 2.8};
+	double seconds, micro = 1e6 / SIDE / SIDE;
+	PhotonMap *map = make_map(photons, 0);
+	for (int i = 0; i < 6; i++) {
+		Estimator e = {.kind = ESTIMATOR_NEAREST, .kernel = KERNEL_EPANECHNIKOV, .count = counts[i]};
+		double error = measure(map, &e, reference, &seconds);
+		printf("%8ld  nearest %4d     %.4f  %6.2f us\n", photons, counts[i], error, seconds * micro);
+	}
+	for (int i = 0; i < 6; i++) {
+		Estimator e = {.kind = ESTIMATOR_FOOTPRINT, .scale = scales[i]};
+		double error = measure(map, &e, reference, &seconds);
+		printf("%8ld  footprint %4.1f   %.4f  %6.2f us\n", photons, scales[i], error, seconds * micro);
+	}
+	photon_map_destroy(map);
+}
+
+int main(int argc, char **argv)
+{
+	double *reference = make_reference();
+	for (int i = 1; i < argc; i++)
+		compare(atol(argv[i]), reference);
+	if (argc < 2)
+		compare(15000, reference);
+	free(reference);
+	return 0;
+}
