@@ -4,7 +4,9 @@
 
 python=
 for candidate in python3 /usr/bin/python3; do
-	"$candidate" -c 'import plyfile' 2>/dev/null || "$candidate" -c 'import trimesh' 2>/dev/null && python=$candidate && break
+	for reader in plyfile trimesh; do
+		[ -n "$python" ] || ! "$candidate" -c "import $reader" 2>/dev/null || python=$candidate
+	done
 done
 if [ -z "$python" ]; then
 	echo "$0: skipped: neither plyfile nor trimesh is there"

@@ -8,7 +8,8 @@ def read(path):
     """Columns of the vertices and of the lights, by name."""
     try:
         import plyfile
-        return [{p.name: element[p.name].tolist() for p in element.properties} for element in plyfile.PlyData.read(path)]
+        return [{p.name: element[p.name].tolist() for p in element.properties}
+                for element in plyfile.PlyData.read(path)]
     except ImportError:
         import trimesh
         raw = trimesh.load(path).metadata["_ply_raw"]

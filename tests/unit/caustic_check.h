@@ -31,7 +31,8 @@ static PhotonMap *caustic_trace(const char *text)
 		PhotonStatistics s;
 		map = photon_trace(scene, &(PhotonTraceOptions){.seed = 1, .scale = 1}, &s);
 		CHECK(map && map->count > 0);
-		CHECK_NEAR(s.stored_flux + s.absorbed_flux + s.escaped_flux, s.emitted_flux, 1e-3 * s.emitted_flux);
+		double sum = s.stored_flux + s.absorbed_flux + s.escaped_flux;
+		CHECK_NEAR(sum, s.emitted_flux, 1e-3 * s.emitted_flux);
 	}
 	scene_destroy(scene);
 	arena_destroy(builder.arena);
@@ -39,7 +40,8 @@ static PhotonMap *caustic_trace(const char *text)
 	return map;
 }
 
-/* A frame on the floor: a along `along`, b to its left, seen from above with z to the left of x. */
+/* A frame on the floor: a along `along`, b to its left, seen from above with z to the left of
+ * x. */
 typedef struct FloorFrame {
 	double x, z, along_x, along_z;
 } FloorFrame;
@@ -51,8 +53,10 @@ static void floor_coordinates(const FloorFrame *frame, const Photon *photon, dou
 	*b = z * frame->along_x - x * frame->along_z;
 }
 
-/* Flux (grey) in the rectangle |a - middle| < half_a, |b| < half_b, and how many photons that is. */
-static double floor_flux(const PhotonMap *map, const FloorFrame *frame, const double rectangle[3], int *count)
+/* Flux (grey) in the rectangle |a - middle| < half_a, |b| < half_b, and how many photons that
+ * is. */
+static double floor_flux(const PhotonMap *map, const FloorFrame *frame,
+                         const double rectangle[3], int *count)
 {
 	double sum = 0;
 	*count = 0;

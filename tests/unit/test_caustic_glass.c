@@ -1,5 +1,6 @@
 /*
- * Caustics of glass against closed forms: the focus and the aberration of a ball, and what a pane lets through.
+ * Caustics of glass against closed forms: the focus and the aberration of a ball, and what a
+ * pane lets through.
  */
 #include "tests/unit/caustic_check.h"
 
@@ -8,9 +9,10 @@
 #define INDEX 1.5
 
 /*
- * A ray that meets a ball of radius 1 at the height h off the axis leaves it, turned by D = 2 (asin h - asin(h / n)), on a line that
- * is h off the centre again. Where it crosses the plane at the distance z behind the centre; negative beyond the axis, NaN when it
- * never does.
+ * A ray that meets a ball of radius 1 at the height h off the axis leaves it, turned by D = 2
+ * (asin h - asin(h / n)), on a line that is h off the centre again. Where it crosses the
+ * plane at the distance z behind the centre; negative beyond the axis, NaN when it never
+ * does.
  */
 static double ball_landing(double h, double z)
 {
@@ -18,7 +20,8 @@ static double ball_landing(double h, double z)
 	return turn < M_PI / 2 ? (h - z * sin(turn)) / cos(turn) : NAN;
 }
 
-/* The height of the rays that land at the radius r on the paraxial focal plane, where farther out is farther out. */
+/* The height of the rays that land at the radius r on the paraxial focal plane, where farther
+ * out is farther out. */
 static double ball_height(double r, double z)
 {
 	double low = 0, high = 1;
@@ -50,7 +53,8 @@ static double distance_from_axis(const Photon *photon)
 	return hypot(photon->position[0], photon->position[2]);
 }
 
-/* Parallel light comes to a focus at n / (2 (n - 1)) from the centre; rays off the axis miss it as the closed form says. */
+/* Parallel light comes to a focus at n / (2 (n - 1)) from the centre; rays off the axis miss
+ * it as the closed form says. */
 static void test_ball_focus(void)
 {
 	double z = INDEX / (2 * (INDEX - 1));
@@ -101,7 +105,8 @@ static void test_ball_ring(double z)
 static double fresnel(double cosine, double n)
 {
 	double inside = sqrt(1 - (1 - cosine * cosine) / (n * n));
-	double s = (cosine - n * inside) / (cosine + n * inside), p = (n * cosine - inside) / (n * cosine + inside);
+	double s = (cosine - n * inside) / (cosine + n * inside);
+	double p = (n * cosine - inside) / (n * cosine + inside);
 	return (s * s + p * p) / 2;
 }
 
@@ -113,10 +118,12 @@ static double brightness_below(double angle, const char *finish)
 	snprintf(text, sizeof text,
 	         "#version 3.7;\n"
 	         "global_settings { max_trace_level 30 photons { count 80000 adc_bailout 0.0001 } }\n"
-	         "light_source { <%g, %g, 0>, 1 parallel point_at 0 photons { refraction on reflection on } }\n"
+	         "light_source { <%g, %g, 0>, 1 parallel point_at 0\n"
+	         "  photons { refraction on reflection on } }\n"
 	         "box { <-3, 0.1, -3>, <3, 0.2, 3> pigment { rgbt 1 } finish { ambient 0 diffuse 0 %s }\n"
 	         "  interior { ior %g } photons { target refraction on reflection on collect off } }\n"
-	         "plane { y, 0 pigment { rgb 1 } finish { diffuse 1 } }\n", -20 * sine, 20 * cosine, finish, INDEX);
+	         "plane { y, 0 pigment { rgb 1 } finish { diffuse 1 } }\n",
+	         -20 * sine, 20 * cosine, finish, INDEX);
 	PhotonMap *map = caustic_trace(text);
 	if (!map)
 		return 0;
@@ -128,8 +135,8 @@ static double brightness_below(double angle, const char *finish)
 }
 
 /*
- * Both faces reflect F; light goes to and fro between them: (1 - F)^2 (1 + F^2 + F^4 ...) = (1 - F) / (1 + F) comes through.
- * Polarisation is not followed: each face sees the mean F.
+ * Both faces reflect F; light goes to and fro between them: (1 - F)^2 (1 + F^2 + F^4 ...) =
+ * (1 - F) / (1 + F) comes through. Polarisation is not followed: each face sees the mean F.
  */
 static void test_pane(void)
 {

@@ -1,11 +1,11 @@
 /*
- * Caustics of mirrors against closed forms: parallel light in a ring (nephroid), a lamp on the ring's rim (cardioid), and a
- * paraboloid, which brings parallel light to one point.
+ * Caustics of mirrors against closed forms: parallel light in a ring (nephroid), a lamp on
+ * the ring's rim (cardioid), and a paraboloid, which brings parallel light to one point.
  *
- * The ring has radius 1. What slants down keeps its slope at an upright mirror, so seen from above everything happens in a
- * plane, and the floor shows the plane's caustic. A fan of rays that falls on the wall under the angle i is focused at
- * 1/s' + 1/s = 2 / cos i (Coddington's equation for a mirror); on the floor its density is that before the mirror over
- * |1 - s/s'|.
+ * The ring has radius 1. What slants down keeps its slope at an upright mirror, so seen from
+ * above everything happens in a plane, and the floor shows the plane's caustic. A fan of rays
+ * that falls on the wall under the angle i is focused at 1/s' + 1/s = 2 / cos i (Coddington's
+ * equation for a mirror); on the floor its density is that before the mirror over |1 - s/s'|.
  */
 #include "tests/unit/caustic_check.h"
 
@@ -39,12 +39,14 @@ static double floor_peak(const PhotonMap *map, const FloorFrame *frame, double h
 	return (best + 0.5) * width - 0.1;
 }
 
-/* Compares the flux in a rectangle with density x area; the tolerance is three sigmas of the count and a little for the
- * density's change across the rectangle. */
-static void check_density(const PhotonMap *map, const FloorFrame *frame, const double rectangle[3], double density)
+/* Compares the flux in a rectangle with density x area; the tolerance is three sigmas of the
+ * count and a little for the density's change across the rectangle. */
+static void check_density(const PhotonMap *map, const FloorFrame *frame,
+                          const double rectangle[3], double density)
 {
 	int count;
-	double flux = floor_flux(map, frame, rectangle, &count), expected = density * 4 * rectangle[1] * rectangle[2];
+	double flux = floor_flux(map, frame, rectangle, &count);
+	double expected = density * 4 * rectangle[1] * rectangle[2];
 	CHECK(count > 300);
 	CHECK_NEAR(flux / expected, 1, 0.02 + 3 / sqrt(fmax(count, 1)));
 }
@@ -61,19 +63,22 @@ static double mean(double function(double x), double x, double half)
 
 /* ---- nephroid ---- */
 
-/* On the axis at x: the ray reflected at the wall's middle, and for x > 1/2 the two from cos i = 1 / (2 x). Light falls with
- * the slope 1/2; without the mirror's focusing the floor would receive the sine of that. */
+/* On the axis at x: the ray reflected at the wall's middle, and for x > 1/2 the two from cos
+ * i = 1 / (2 x). Light falls with the slope 1/2; without the mirror's focusing the floor
+ * would receive the sine of that. */
 static double nephroid_density(double x)
 {
 	double sine = 1 / sqrt(5);
 	return sine * (1 / fabs(2 * x - 1) + (x > 0.5 ? 2 / (4 * x * x - 1) : 0));
 }
 
-/* The caustic's point of the ray that meets the wall under the angle i, and the ray's way there. */
+/* The caustic's point of the ray that meets the wall under the angle i, and the ray's way
+ * there. */
 static FloorFrame nephroid_fold(double i)
 {
 	double cosine = cos(i), sine = sin(i);
-	return (FloorFrame){cosine * (1.5 - cosine * cosine), sine * sine * sine, -cos(2 * i), -sin(2 * i)};
+	return (FloorFrame){cosine * (1.5 - cosine * cosine), sine * sine * sine,
+	                    -cos(2 * i), -sin(2 * i)};
 }
 
 static void test_nephroid(void)
@@ -103,8 +108,9 @@ static void test_nephroid(void)
 
 enum { LAMP_HEIGHT_2 = 3 }; /* twice the lamp's height over the floor */
 
-/* On the axis between the cusp and the lamp at x = 1: one ray, reflected at x = -1. The lamp's light does not fade with
- * distance: the floor shows it as bright as the wall does, but for the slant and the mirror's focusing. */
+/* On the axis between the cusp and the lamp at x = 1: one ray, reflected at x = -1. The
+ * lamp's light does not fade with distance: the floor shows it as bright as the wall does,
+ * but for the slant and the mirror's focusing. */
 static double cardioid_density(double x)
 {
 	double chord = 2, s = x + 1, focus = chord / 3, height = LAMP_HEIGHT_2 / 2.0;
