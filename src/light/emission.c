@@ -74,9 +74,14 @@ static Vec2 concentric_disc(double s, double t)
 	return (Vec2){r * cos(phi), r * sin(phi)};
 }
 
+bool emission_takes_point(const Light *light)
+{
+	return light->photons_area && light->area;
+}
+
 static Vec3 area_origin(const Light *light, const EmissionAim *aim, const double s[2])
 {
-	if (!light->photons_area || !light->area)
+	if (!emission_takes_point(light))
 		return light->position;
 	AreaFrame frame = area_frame(light, aim->center);
 	return area_point(light, &frame, s[0] * (light->size1 - 1), s[1] * (light->size2 - 1));

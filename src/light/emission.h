@@ -48,6 +48,9 @@ EmissionRegion emission_region(const Light *light, const EmissionAim *aim);
 /* 2: coordinates on a plane; 3: on the sphere. */
 int emission_dimensions(const Light *light);
 
+/* Whether samples differ in the point of the light where they start: else the last two numbers mean nothing. */
+bool emission_takes_point(const Light *light);
+
 /* A sample, uniform over the region, from four numbers in [0, 1); the last two choose the point of an area light. */
 Emission emission_sample(const Light *light, const EmissionAim *aim, const double s[4]);
 

@@ -97,8 +97,9 @@ Emission photon_emission(const Scene *scene, const PhotonAim *aim, const PhotonT
 {
 	uint64_t index = options->pass * aim->paths + path + HALTON_SKIP;
 	uint64_t sequence = (uint64_t)aim->light << 32 | (uint32_t)aim->target;
-	double s[4];
-	for (int k = 0; k < 4; k++) {
+	double s[4] = {0};
+	int dimensions = emission_takes_point(&scene->lights[aim->light]) ? 4 : 2;
+	for (int k = 0; k < dimensions; k++) {
 		double shift = random_uniform(options->seed, sequence, (uint64_t)k);
 		s[k] = random_halton(index, k) + shift;
 		s[k] -= floor(s[k]);

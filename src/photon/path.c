@@ -31,7 +31,9 @@ typedef struct Path {
 	float start;         /* grey flux at the first hit */
 	double length;       /* so far */
 	double first_length, first_distance; /* at the first hit: of the path, and from the light */
-	double hue, hue_choice; /* hue: 0.5 for white light */
+	double hue;          /* 0.5 for white light */
+	const PhotonTraceOptions *options;
+	uint64_t number;
 	bool colored;
 	int edges, level;
 	uint8_t kind;        /* hash of the way so far */
@@ -94,13 +96,19 @@ static bool disperses(const Interior *interior)
 	return interior && interior->dispersion != 1 && interior->dispersion > 0;
 }
 
+static double hue_of(const PhotonTraceOptions *options, uint64_t number)
+{
+	double hue = random_halton(number + 1, DIMENSION_HUE) + random_uniform(options->seed, options->pass, DIMENSION_HUE);
+	return hue - floor(hue);
+}
+
 /* White light that meets glass which bends colours differently becomes light of one hue. */
 static void settle_hue(Path *path, const Surface *surface)
 {
 	if (path->colored || !disperses(surface->interior))
 		return;
 	path->colored = true;
-	path->hue = path->hue_choice;
+	path->hue = hue_of(path->options, path->number);
 	path->flux = rgb_mul(path->flux, interior_hue_color(path->hue));
 }
 
@@ -229,18 +237,12 @@ static bool meet(Path *path, const Hit *hit, double share)
 	return on;
 }
 
-static double hue_of(const PhotonTraceOptions *options, uint64_t number)
-{
-	double hue = random_halton(number + 1, DIMENSION_HUE) + random_uniform(options->seed, options->pass, DIMENSION_HUE);
-	return hue - floor(hue);
-}
-
 void photon_path(const Scene *scene, const PhotonAim *aim, const PhotonTraceOptions *options, uint64_t number,
                  PhotonBuffer *out)
 {
 	Path path = {
 		.scene = scene, .light = &scene->lights[aim->light], .aim = aim, .out = out, .hue = 0.5,
-		.hue_choice = hue_of(options, number),
+		.options = options, .number = number,
 		.sampler = {random_bits(options->seed, options->pass, 1), aim->first + number, 0},
 	};
 	path.emission = photon_emission(scene, aim, options, number);

@@ -58,10 +58,10 @@ shoot()
 	status 0 pane.pov +W32 +H32 +FP16 File_Gamma=1 +Op.ppm --stats s.json "$@"
 }
 
-# statistic NAME
+# statistic NAME: a count of photons.
 statistic()
 {
-	tr ',{}' '\n\n\n' <s.json | sed -n "s/^ *\"$1\": *//p" | tail -n 1
+	tr ',{}' '\n\n\n' <s.json | sed -n "s/^ *\"$1\": *//p" | head -n 1
 }
 
 # near WHAT GOT WANTED [TOLERANCE]: within one part in a hundred.
