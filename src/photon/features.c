@@ -1,11 +1,13 @@
 /*
- * A photon's neighbours, those near in the world among those that left the light near where it left, are one piece of one
- * sheet. Where the piece ends, the neighbours lie on one side, and the smaller principal component of their places is
- * less than a disc's. By how much, and whether that is more than chance, says how far the photon may move across the edge.
+ * A photon's neighbours, those near in the world among those that left the light near where it
+ * left, are one piece of one sheet. Where the piece ends, the neighbours lie on one side, and the
+ * smaller principal component of their places is less than a disc's. By how much, and whether that
+ * is more than chance, says how far the photon may move across the edge.
  *
- * As in Spencer & Jones 2013, but: sheets are also told apart by the object and the way there, since a photon reflected and one
- * refracted may have left the light together; density in parameter space counts the photons that arrived by that way; with fewer
- * neighbours than asked for, mean and deviation of chance are those of the number found.
+ * As in Spencer & Jones 2013, but: sheets are also told apart by the object and the way there,
+ * since a photon reflected and one refracted may have left the light together; density in
+ * parameter space counts the photons that arrived by that way; with fewer neighbours than asked
+ * for, mean and deviation of chance are those of the number found.
  */
 #include "photon/features.h"
 
@@ -49,7 +51,10 @@ double feature_freedom(double l2, int count)
 
 /* ---- density in parameter space ---- */
 
-/* Neighbours that the density around one photon is taken from: its error, an eighth, is half as much in the range. */
+/*
+ * Neighbours that the density around one photon is taken from: its error, an eighth, is half as
+ * much in the range.
+ */
 enum { DENSITY_NEIGHBORS = 16 };
 
 typedef struct RangeJob {

@@ -1,6 +1,6 @@
 /*
- * Features of the caustic: how freely each photon may move across the structure it lies on (Spencer & Jones 2013, sections 4.2
- * and 4.3). Inside the room, but for its tests.
+ * Features of the caustic: how freely each photon may move across the structure it lies on
+ * (Spencer & Jones 2013, sections 4.2 and 4.3). Inside the room, but for its tests.
  */
 #ifndef PHOTON_FEATURES_H
 #define PHOTON_FEATURES_H

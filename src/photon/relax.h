@@ -1,10 +1,12 @@
 /*
- * Relaxation: photons push each other apart until noise is gone from where they lie, and less bandwidth is needed to
- * estimate their density. Plain (Spencer & Jones 2009), or under constraints that keep the caustic's structure, found among
- * photons that left the light together (Spencer & Jones 2013: SJ13).
+ * Relaxation: photons push each other apart until noise is gone from where they lie, and less
+ * bandwidth is needed to estimate their density. Plain (Spencer & Jones 2009), or under
+ * constraints that keep the caustic's structure, found among photons that left the light together
+ * (Spencer & Jones 2013: SJ13).
  *
- * Only positions change: flux, count and order of the photons stay. Photons stay on the object, and on the side of it, where they
- * landed. The caller owns the map and indexes it again afterwards.
+ * Only positions change: flux, count and order of the photons stay. Photons stay on the object,
+ * and on the side of it, where they landed. The caller owns the map and indexes it again
+ * afterwards.
  */
 #ifndef PHOTON_RELAX_H
 #define PHOTON_RELAX_H
@@ -24,8 +26,11 @@ typedef struct RelaxPlace {
 	Vec3 position, normal;
 } RelaxPlace;
 
-/* Moves the place onto the surface of its object nearby and settles its normal; step is how far it came from where the photon
- * was. False when there is no such surface: past an edge. Called from several threads. */
+/*
+ * Moves the place onto the surface of its object nearby and settles its normal; step is how far it
+ * came from where the photon was. False when there is no such surface: past an edge. Called from
+ * several threads.
+ */
 typedef bool RelaxProject(void *data, RelaxPlace *place, double step);
 
 /* What relaxation knows of the surfaces that photons lie on. */
@@ -44,8 +49,10 @@ typedef struct RelaxStatistics {
 	double mean_constraint;  /* length of v_b: 1 moves freely, 0 not at all across the feature; plain: 1 */
 } RelaxStatistics;
 
-/* Moves the photons; the tree of the map is dropped. Constrained, map->constraint is filled in. False when there was
- * nothing to do: switched off, or no photons. statistics may be NULL. */
+/*
+ * Moves the photons; the tree of the map is dropped. Constrained, map->constraint is filled in.
+ * False when there was nothing to do: switched off, or no photons. statistics may be NULL.
+ */
 bool photon_relax(PhotonMap *map, const Relaxation *settings, const RelaxSurfaces *surfaces, RelaxStatistics *statistics);
 
 /* The same with a scene's settings, surfaces and `relaxation off` objects. */

@@ -1,4 +1,7 @@
-/* Relaxation on a scene's surfaces: a moved photon is put back on its object by a short ray along the normal. */
+/*
+ * Relaxation on a scene's surfaces: a moved photon is put back on its object by a short ray along
+ * the normal.
+ */
 #include "photon/relax.h"
 
 #include <math.h>
@@ -11,7 +14,10 @@
 #include "scene/scene.h"
 #include "scene/shade.h"
 
-/* Surfaces may bend away from the tangent plane by as much as the step is long: more than 45 degrees. */
+/*
+ * Surfaces may bend away from the tangent plane by as much as the step is long: more than 45
+ * degrees.
+ */
 static const double REACH = 1;
 
 static bool accept_object(void *data, const Ray *ray, const Hit *hit)

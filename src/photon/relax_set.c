@@ -146,9 +146,10 @@ bool relax_set_range(const RelaxSet *set, RelaxSpace space, uint32_t point, Emit
 static const float SAME_SIDE = 0.7f;
 
 /*
- * Photons of very different flux do not push each other. Pushed together, each kind alone keeps its noise, as any
- * random part of an even pattern does, and the few bright ones make the noise that is seen. Each kind pushed apart on its own is
- * even, and so is the sum. Photons of several lights with like flux are one pattern, which is the more even for it.
+ * Photons of very different flux do not push each other. Pushed together, each kind alone keeps
+ * its noise, as any random part of an even pattern does, and the few bright ones make the noise
+ * that is seen. Each kind pushed apart on its own is even, and so is the sum. Photons of several
+ * lights with like flux are one pattern, which is the more even for it.
  */
 static bool repels(const RelaxPoint *a, const RelaxPoint *b)
 {

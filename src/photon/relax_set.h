@@ -1,6 +1,6 @@
 /*
- * The photons under relaxation: a working copy along a space-filling curve, so that neighbours lie near in memory, the trees
- * over it and the lists of neighbours that repel. Inside the room only.
+ * The photons under relaxation: a working copy along a space-filling curve, so that neighbours lie
+ * near in memory, the trees over it and the lists of neighbours that repel. Inside the room only.
  */
 #ifndef PHOTON_RELAX_SET_H
 #define PHOTON_RELAX_SET_H
@@ -18,7 +18,10 @@ typedef struct RelaxPoint {
 	uint16_t object;
 } RelaxPoint;
 
-/* How a photon may move: freely along u, by v_length of the force along v; both unit and tangent to the surface. */
+/*
+ * How a photon may move: freely along u, by v_length of the force along v; both unit and tangent
+ * to the surface.
+ */
 typedef struct RelaxBasis {
 	float u[3], v[3], v_length;
 } RelaxBasis;

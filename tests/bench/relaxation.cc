@@ -1,7 +1,8 @@
 /*
- * Relaxation beside one sweep of 16 nearest neighbours with FLANN over the same photons, in one run on one thread: 863,000
- * photons of the wave's caustic (wave.h), as many as Table I of Spencer & Jones 2013 has. Prints seconds and the ratios to that
- * sweep: feature detection, one iteration. C++ because FLANN is; the project itself does not use it.
+ * Relaxation beside one sweep of 16 nearest neighbours with FLANN over the same photons, in one
+ * run on one thread: 863,000 photons of the wave's caustic (wave.h), as many as Table I of Spencer
+ * & Jones 2013 has. Prints seconds and the ratios to that sweep: feature detection, one iteration.
+ * C++ because FLANN is; the project itself does not use it.
  */
 #include <chrono>
 #include <cstdio>

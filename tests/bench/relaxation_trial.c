@@ -1,8 +1,9 @@
 /*
- * A trial of relaxation in two dimensions: how far the density of the wave's caustic (wave.h) is from its reference, by the
- * nearest K photons under Epanechnikov's kernel, for several K: of photons where they landed, relaxed plainly, and under
- * constraints. The reference is the closed-form map itself, 40 million paths counted in pixels. The columns: RMSE and MRSE
- * (eps 1e-2) of a picture whose mean is about 1.
+ * A trial of relaxation in two dimensions: how far the density of the wave's caustic (wave.h) is
+ * from its reference, by the nearest K photons under Epanechnikov's kernel, for several K: of
+ * photons where they landed, relaxed plainly, and under constraints. The reference is the
+ * closed-form map itself, 12 million paths counted in pixels. The columns: RMSE and MRSE (eps
+ * 1e-2) of a picture whose mean is about 1.
  *
  * Usage: relaxation_trial [PHOTONS [PARAMETER_ITERATIONS,WORLD_ITERATIONS,RANGE,KC,KF ...]]
  * Without settings: the defaults, and stage one alone.
@@ -16,7 +17,7 @@
 #include "photon/relax.h"
 #include "tests/bench/wave.h"
 
-enum { PIXELS = 200, SAMPLES = 2, REFERENCE_PATHS = 40000000 };
+enum { PIXELS = 200, SAMPLES = 2, REFERENCE_PATHS = 12000000 };
 
 typedef struct Image { double at[PIXELS * PIXELS]; } Image;
 
@@ -119,6 +120,7 @@ static Row measure(const char *name, PhotonMap *map, const Image *reference)
 		printf(" %6.4f %6.4f", row.at[i].rmse, row.at[i].mrse);
 	}
 	printf("   best K %d\n", counts[row.best]);
+	fflush(stdout);
 	return row;
 }
 

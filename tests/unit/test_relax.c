@@ -1,4 +1,7 @@
-/* Relaxation: the constants of its constraints, what it does to noise and to edges, and what it must not do. */
+/*
+ * Relaxation: the constants of its constraints, what it does to noise and to edges, and what it
+ * must not do.
+ */
 #include "photon/relax.h"
 
 #include <stdlib.h>
@@ -144,7 +147,10 @@ static void test_edge(void)
 
 /* ---- what it does to noise ---- */
 
-/* Variance over square of mean of the distance to the nearest neighbour, away from the border: 0.27 of white noise. */
+/*
+ * Variance over square of mean of the distance to the nearest neighbour, away from the border:
+ * 0.27 of white noise.
+ */
 static double unevenness(PhotonMap *map)
 {
 	photon_map_index(map, 0);
@@ -255,7 +261,10 @@ static void test_fixed_object(Relaxation settings)
 	photon_map_destroy(alone);
 }
 
-/* Two sides of a thin wall, two objects side by side, few bright photons among many dim ones: each moves as if alone. */
+/*
+ * Two sides of a thin wall, two objects side by side, few bright photons among many dim ones: each
+ * moves as if alone.
+ */
 static void test_strangers(Relaxation settings)
 {
 	for (int kind = 0; kind < 3; kind++) {
