@@ -8,6 +8,8 @@
 #include "parser/grammar.h"
 #include "parser/state.h"
 
+static const double NEWEST_VERSION = 3.7;
+
 static void report_unpaired(Reader *reader, const char *name, const char *partner, Location where)
 {
 	diag_error(reader->context.diag, where, "#%s without %s", name, partner);
@@ -263,6 +265,14 @@ static void run_unofficial(Reader *reader, Location where)
 	reader->context.builder->settings.cognac = true;
 }
 
+static void set_version(Reader *reader, double version, Location where)
+{
+	if (version > NEWEST_VERSION)
+		diag_warning(reader->context.diag, where, "version %g of the language is newer than %g, the newest known here",
+		             version, NEWEST_VERSION);
+	reader->context.version = reader->context.builder->settings.version = version;
+}
+
 static void run_version(Reader *reader)
 {
 	Frame frame;
@@ -279,7 +289,7 @@ static void run_version(Reader *reader)
 	if (!value_is_numeric(frame.value))
 		diag_error(reader->context.diag, where, "#version takes a number");
 	else if (!unofficial)
-		reader->context.version = reader->context.builder->settings.version = value_to_float(frame.value);
+		set_version(reader, value_to_float(frame.value), where);
 	declare_end(reader, &frame);
 }
 

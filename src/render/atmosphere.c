@@ -54,17 +54,25 @@ static Rgb sky_layers(const SkySphere *sky, Vec3 direction, bool legacy, Rgb *th
 	return sum;
 }
 
-Seen atmosphere_sky(const Tracer *tracer, Vec3 direction)
+/* What of the background's colour is seen, as measured: a picture without alpha loses what transmit lets through, though not
+ * what filter does; one with alpha loses both, but mirrors show the whole colour. */
+static float background_share(const Tracer *tracer, const PathRay *path)
+{
+	Rgbft background = tracer->scene->background;
+	if (!tracer->alpha)
+		return fmaxf(1 - background.transmit, 0);
+	return path->reflected ? 1 : rgbft_opacity(background);
+}
+
+Seen atmosphere_sky(const Tracer *tracer, const PathRay *path)
 {
 	const Scene *scene = tracer->scene;
 	Rgb through = {1, 1, 1}, sum = {0, 0, 0};
 	if (scene->sky_sphere)
-		sum = sky_layers(scene->sky_sphere, direction, tracer->legacy, &through);
-	if (!tracer->alpha)
-		return (Seen){.color = rgb_add(sum, rgb_mul(through, rgbft_rgb(scene->background)))};
-	Rgb own = rgb_scale(rgbft_rgb(scene->background), rgbft_opacity(scene->background));
-	return (Seen){.color = rgb_add(sum, rgb_mul(through, own)),
-	              .transmit = mean(rgb_mul(through, rgbft_transmittance(scene->background)))};
+		sum = sky_layers(scene->sky_sphere, path->ray.direction, tracer->legacy, &through);
+	Rgb own = rgb_scale(rgbft_rgb(scene->background), background_share(tracer, path));
+	float transmit = tracer->alpha ? mean(rgb_mul(through, rgbft_transmittance(scene->background))) : 0;
+	return (Seen){.color = rgb_add(sum, rgb_mul(through, own)), .transmit = transmit};
 }
 
 /* ---- fog ---- */

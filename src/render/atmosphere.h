@@ -4,8 +4,8 @@
 
 #include "render/tracer.h"
 
-/* The sky in a unit direction: sky_sphere's pigments, layered, over the background. */
-Seen atmosphere_sky(const Tracer *tracer, Vec3 direction);
+/* The sky that a ray sees: sky_sphere's pigments, layered, over the background. */
+Seen atmosphere_sky(const Tracer *tracer, const PathRay *path);
 /* What is left of a sight at the given distance (INFINITY: the sky) behind the scene's rainbows and fogs. */
 Seen atmosphere_apply(Tracer *tracer, const Ray *ray, double distance, Seen seen);
 

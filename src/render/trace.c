@@ -214,7 +214,7 @@ Seen trace_ray(Tracer *tracer, const PathRay *path, FirstHit *first)
 	Hit hit;
 	AccelFilter *accept = path->reflected ? accept_reflection : accept_image;
 	bool met = accel_nearest(tracer->scene->accel, &path->ray, accept, NULL, &hit);
-	Seen seen = met ? shade_hit(tracer, path, &hit, first) : atmosphere_sky(tracer, path->ray.direction);
+	Seen seen = met ? shade_hit(tracer, path, &hit, first) : atmosphere_sky(tracer, path);
 	if (tracer->quality.atmosphere && inside_is_open(&path->inside))
 		seen = atmosphere_apply(tracer, &path->ray, met ? hit.t : INFINITY, seen);
 	return seen;

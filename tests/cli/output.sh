@@ -33,6 +33,16 @@ status 0 ball.pov +W32 +H24 +SC9 +EC24 +SR0.25 +ER0.75 +Opart.png
 status 0 ball.pov +W32 +H24 +SC9 +EC8 +Oempty.png
 "$COMPARE" --crop 0,0,8,24 part.png empty.png | grep -qx 'MSE 0' || fail "not black beside the part"
 
+# What a background's transmit lets through is lost to the picture, what its filter does is not.
+cat >back.pov <<'END'
+#version 3.7;
+global_settings { assumed_gamma 1 }
+camera { location -z * 4 look_at 0 }
+background { color rgbft <1, 1, 1, 0.25, 0.5> }
+END
+status 0 back.pov +W1 +H1 +FP +Oback
+[ "$(tail -c 3 back.ppm | od -An -tu1 | tr -d ' ')" = 188188188 ] || fail "the background shines through wrongly"
+
 status 1 bad.pov +Obad
 status 1 bad.pov +Obad --stats bad.json
 [ ! -e bad.png ] && [ -z "$(ls | grep 'bad\.png')" ] || fail "a picture is left after an error: $(ls)"
