@@ -126,6 +126,15 @@ static double product(double factor, double side)
 	return factor == 0 ? 0 : factor * side;
 }
 
+bool transform_is_upright(const Transform *t)
+{
+	for (int i = 0; i < 3; i++)
+		for (int j = 0; j < 3; j++)
+			if (i == j ? !(t->m[i][j] > 0) : t->m[i][j] != 0)
+				return false;
+	return true;
+}
+
 Box3 transform_box(const Transform *t, Box3 box)
 {
 	if (box3_is_empty(box))

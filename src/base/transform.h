@@ -28,6 +28,8 @@ Transform transform_inverse(const Transform *t);
 bool transform_is_identity(const Transform *t);
 /* True when lengths change by one common factor (rotation, translation, uniform scale); *scale gets the factor. */
 bool transform_is_similarity(const Transform *t, double *scale);
+/* True when only lengths along the axes and the place change: no turning, no mirroring. */
+bool transform_is_upright(const Transform *t);
 /* The box of the transformed box; an infinite box stays infinite. */
 Box3 transform_box(const Transform *t, Box3 box);
 

@@ -7,6 +7,14 @@ const void *box_create(Arena *arena, Vec3 corner, Vec3 opposite)
 	return box;
 }
 
+static const void *box_placed(Arena *arena, const void *data, const Transform *transform)
+{
+	const Box3 *box = data;
+	if (!transform_is_upright(transform))
+		return NULL;
+	return box_create(arena, transform_point(transform, box->lo), transform_point(transform, box->hi));
+}
+
 /* What one pair of faces leaves of the interval t; false when nothing. */
 static bool cross_slab(const double slab[2], double origin, double direction, int axis, double t[2], int faces[2])
 {
@@ -99,4 +107,5 @@ const ShapeClass box_class = {
 	.normal = box_normal,
 	.uv = box_uv,
 	.nearest = box_nearest,
+	.placed = box_placed,
 };

@@ -3,8 +3,10 @@
 #include "geom/box_tree.h"
 #include "geom/ray_box.h"
 
-/* Fewer children than this are looked at one by one. */
-enum { TREE_MIN_CHILDREN = 12 };
+enum {
+	TREE_MIN_CHILDREN = 12, /* fewer children than this are looked at one by one */
+	CUT_PASSES = 3,         /* so often children cut each other's bounds: each needs those before it */
+};
 
 struct CsgTree {
 	const BoxTree *surfaces, *regions;
@@ -55,6 +57,19 @@ static Box3 child_region(const CsgView *view, int i)
 	return flipped.clip_count ? infinite_box() : shape_region_box(&flipped);
 }
 
+/* What the children cut off each other: planes and quadrics that bound nothing alone do together. */
+static Box3 cut_region(const CsgView *view, Box3 box)
+{
+	for (int pass = 0; pass < CUT_PASSES; pass++)
+		for (int i = 0; i < view->csg->count; i++) {
+			Shape child = *view->csg->children[i];
+			child.inverted = child.inverted != view->flip;
+			if (child.class->cut && !child.clip_count)
+				box = shape_region_cut(&child, box);
+		}
+	return box;
+}
+
 static Box3 combined_region(const CsgView *view)
 {
 	bool intersect = view->operation == CSG_INTERSECTION;
@@ -63,7 +78,7 @@ static Box3 combined_region(const CsgView *view)
 		Box3 region = child_region(view, i);
 		box = intersect ? box3_intersect(box, region) : box3_union(box, region);
 	}
-	return box;
+	return intersect ? cut_region(view, box) : box;
 }
 
 Box3 csg_region_box(const Shape *shape)
@@ -192,12 +207,26 @@ static void walk_children(const Csg *csg, const RaySlabs *slabs, BoxTreeVisit *v
 			visit(data, i);
 }
 
+/* The ray where it is in the box, and a little more for rounding: of an operation that removes
+ * crossings all others are removed. */
+static Ray ray_within(const Ray *ray, const RaySlabs *slabs, const Box3 *box)
+{
+	double t[2];
+	ray_slabs_range(slabs, box, t);
+	double slack = 1e-9 * (fabs(t[0]) + fabs(t[1]));
+	double enter = t[0] - slack, leave = t[1] + slack;
+	return (Ray){ray->origin, ray->direction, enter > ray->tmin ? enter : ray->tmin, leave < ray->tmax ? leave : ray->tmax};
+}
+
 static void csg_intersect(const Shape *self, const Ray *ray, HitList *out)
 {
 	RaySlabs slabs = ray_slabs(ray);
 	if (!ray_slabs_hit(&slabs, &self->box))
 		return;
 	RayQuery query = {csg_view(self), ray, out};
+	Ray within = ray_within(ray, &slabs, &self->box);
+	if (query.view.operation != CSG_UNION)
+		query.ray = &within;
 	walk_children(query.view.csg, &slabs, visit_crossings, &query);
 }
 
@@ -251,6 +280,8 @@ static bool csg_nearest(const Shape *self, const Ray *ray, Hit *out)
 	if (!ray_slabs_hit(&query.slabs, &self->box))
 		return false;
 	bool simple = query.view.operation == CSG_UNION;
+	if (!simple)
+		query.ray = ray_within(ray, &query.slabs, &self->box);
 	walk_children(query.view.csg, &query.slabs, simple ? visit_union_nearest : visit_surface_nearest, &query);
 	return query.found;
 }

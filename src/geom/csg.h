@@ -35,5 +35,8 @@ Box3 csg_surface_box(const Shape *shape);
 Box3 csg_region_box(const Shape *shape);
 /* Bounds of where shape_inside holds (infinite for inverted solids). */
 Box3 shape_region_box(const Shape *shape);
+/* Bounds of where within the box it holds: a half space, or what a quadric encloses, cut off only
+ * what others leave. */
+Box3 shape_region_cut(const Shape *shape, Box3 box);
 
 #endif

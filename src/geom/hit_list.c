@@ -19,7 +19,7 @@ void hit_list_free(HitList *list)
 	hit_list_init(list);
 }
 
-static void hit_list_grow(HitList *list)
+void hit_list_grow(HitList *list)
 {
 	size_t capacity = (size_t)list->capacity * 2;
 	if (list->hits == list->first) {
@@ -29,13 +29,6 @@ static void hit_list_grow(HitList *list)
 		list->hits = memory_resize(list->hits, capacity * sizeof(Hit));
 	}
 	list->capacity = (int)capacity;
-}
-
-void hit_list_push(HitList *list, Hit hit)
-{
-	if (list->count == list->capacity)
-		hit_list_grow(list);
-	list->hits[list->count++] = hit;
 }
 
 static int compare_hits(const void *a, const void *b)

@@ -16,6 +16,7 @@ static double shift_to_origin(const Ray *ray)
 /* ---- quadric ---- */
 
 typedef struct Quadric {
+	Vec3 center; /* x y z are counted from here */
 	Vec3 square, mixed, linear; /* of x^2 y^2 z^2; xy xz yz; x y z */
 	double constant;
 } Quadric;
@@ -23,7 +24,7 @@ typedef struct Quadric {
 const void *quadric_create(Arena *arena, const double c[10])
 {
 	Quadric *quadric = ARENA_NEW(arena, Quadric);
-	*quadric = (Quadric){{c[0], c[1], c[2]}, {c[3], c[4], c[5]}, {c[6], c[7], c[8]}, c[9]};
+	*quadric = (Quadric){vec3_all(0), {c[0], c[1], c[2]}, {c[3], c[4], c[5]}, {c[6], c[7], c[8]}, c[9]};
 	return quadric;
 }
 
@@ -44,8 +45,9 @@ static Vec3 quadric_times(const Quadric *quadric, Vec3 p)
 
 static int quadric_cross(const Quadric *quadric, const Ray *ray, double t[2])
 {
-	double shift = shift_to_origin(ray);
-	Vec3 o = ray_at(ray, shift), d = ray->direction;
+	Ray own = {vec3_sub(ray->origin, quadric->center), ray->direction, ray->tmin, ray->tmax};
+	double shift = shift_to_origin(&own);
+	Vec3 o = ray_at(&own, shift), d = ray->direction;
 	Vec3 along = quadric_times(quadric, d), at = quadric_times(quadric, o);
 	int count = polynomial_quadratic(vec3_dot(d, along), 2 * vec3_dot(d, at) + vec3_dot(quadric->linear, d),
 	                                 vec3_dot(o, vec3_add(at, quadric->linear)) + quadric->constant, t);
@@ -75,6 +77,7 @@ static bool quadric_nearest(const Shape *self, const Ray *ray, Hit *out)
 static bool quadric_inside(const void *data, Vec3 p)
 {
 	const Quadric *quadric = data;
+	p = vec3_sub(p, quadric->center);
 	return vec3_dot(p, vec3_add(quadric_times(quadric, p), quadric->linear)) + quadric->constant <= 0;
 }
 
@@ -82,8 +85,85 @@ static Vec3 quadric_normal(const void *data, const Hit *hit, Vec3 p)
 {
 	const Quadric *quadric = data;
 	(void)hit;
-	Vec3 n = vec3_mad(quadric->linear, 2, quadric_times(quadric, p));
+	Vec3 n = vec3_mad(quadric->linear, 2, quadric_times(quadric, vec3_sub(p, quadric->center)));
 	return vec3_length2(n) > 0 ? n : vec3(1, 0, 0);
+}
+
+/* The symmetric matrix seen from the world: inverse transposed, matrix, inverse; its centre is the
+ * image of the old one. */
+static const void *quadric_placed(Arena *arena, const void *data, const Transform *transform)
+{
+	const Quadric *quadric = data;
+	Quadric *placed = ARENA_NEW(arena, Quadric);
+	Vec3 rows[3];
+	for (int i = 0; i < 3; i++) {
+		Vec3 axis = vec3(i == 0, i == 1, i == 2);
+		rows[i] = transform_normal(transform, quadric_times(quadric, transform_vector_inverse(transform, axis)));
+	}
+	*placed = (Quadric){
+		.center = transform_point(transform, quadric->center), .square = {rows[0].x, rows[1].y, rows[2].z},
+		.mixed = {2 * rows[0].y, 2 * rows[0].z, 2 * rows[1].z},
+		.linear = transform_normal(transform, quadric->linear), .constant = quadric->constant,
+	};
+	return placed;
+}
+
+static double square_and_linear(double a, double b, double x)
+{
+	if (isinf(x))
+		return a != 0 ? a * INFINITY : b != 0 ? b * x : 0;
+	return (a * x + b) * x;
+}
+
+/* The least of a x^2 + b x over an interval. */
+static double least_square_and_linear(double a, double b, double lo, double hi)
+{
+	double x = -b / (2 * a);
+	if (a > 0 && x > lo && x < hi)
+		return square_and_linear(a, b, x);
+	double low = square_and_linear(a, b, lo), high = square_and_linear(a, b, hi);
+	return low < high ? low : high;
+}
+
+/* Cuts the interval to where a x^2 + b x <= most. A region of two parts (a < 0) cuts nothing. */
+static void cut_interval(double a, double b, double most, double *lo, double *hi)
+{
+	double roots[2];
+	if (a < 0 || (a == 0 && b == 0) || !isfinite(most))
+		return;
+	int count = polynomial_quadratic(a, b, -most, roots);
+	if (count == 0)
+		*hi = -INFINITY;
+	if ((count == 2 || (count == 1 && b < 0)) && roots[0] > *lo)
+		*lo = roots[0];
+	if ((count == 2 || (count == 1 && b > 0)) && roots[count - 1] < *hi)
+		*hi = roots[count - 1];
+}
+
+static bool quadric_is_mixed(const Quadric *quadric)
+{
+	Vec3 s = quadric->square, m = quadric->mixed;
+	return !(vec3_length2(m) <= 1e-24 * vec3_length2(s));
+}
+
+/* Axis by axis: what the two others leave. A quadric that is turned cuts nothing. */
+static Box3 quadric_cut(const void *data, bool outside, Box3 box)
+{
+	const Quadric *quadric = data;
+	if (quadric_is_mixed(quadric))
+		return box;
+	double sign = outside ? -1 : 1;
+	Vec3 square = vec3_scale(quadric->square, sign), linear = vec3_scale(quadric->linear, sign);
+	Box3 own = {vec3_sub(box.lo, quadric->center), vec3_sub(box.hi, quadric->center)};
+	double *lo = &own.lo.x, *hi = &own.hi.x;
+	const double *a = &square.x, *b = &linear.x;
+	for (int i = 0; i < 3; i++) {
+		int j = (i + 1) % 3, k = (i + 2) % 3;
+		double most = -sign * quadric->constant - least_square_and_linear(a[j], b[j], lo[j], hi[j]) -
+			least_square_and_linear(a[k], b[k], lo[k], hi[k]);
+		cut_interval(a[i], b[i], most, &lo[i], &hi[i]);
+	}
+	return (Box3){vec3_add(own.lo, quadric->center), vec3_add(own.hi, quadric->center)};
 }
 
 const ShapeClass quadric_class = {
@@ -93,6 +173,8 @@ const ShapeClass quadric_class = {
 	.inside = quadric_inside,
 	.normal = quadric_normal,
 	.nearest = quadric_nearest,
+	.cut = quadric_cut,
+	.placed = quadric_placed,
 };
 
 /* ---- polynomials of any order ---- */

@@ -24,14 +24,22 @@ static inline void ray_slabs_clip(double lo, double hi, double origin, double in
 	t[1] = far < t[1] ? far : t[1];
 }
 
+/* The part of the ray that is in the box: from t[0] to t[1]; t[0] > t[1] when none is. */
+static inline void ray_slabs_range(const RaySlabs *ray, const Box3 *box, double t[2])
+{
+	t[0] = ray->tmin;
+	t[1] = ray->tmax;
+	ray_slabs_clip(box->lo.x, box->hi.x, ray->origin.x, ray->inverse.x, t);
+	ray_slabs_clip(box->lo.y, box->hi.y, ray->origin.y, ray->inverse.y, t);
+	ray_slabs_clip(box->lo.z, box->hi.z, ray->origin.z, ray->inverse.z, t);
+}
+
 /* True when the ray may hit something in the box, which should be a little larger than what it
  * holds. */
 static inline bool ray_slabs_hit(const RaySlabs *ray, const Box3 *box)
 {
-	double t[2] = {ray->tmin, ray->tmax};
-	ray_slabs_clip(box->lo.x, box->hi.x, ray->origin.x, ray->inverse.x, t);
-	ray_slabs_clip(box->lo.y, box->hi.y, ray->origin.y, ray->inverse.y, t);
-	ray_slabs_clip(box->lo.z, box->hi.z, ray->origin.z, ray->inverse.z, t);
+	double t[2];
+	ray_slabs_range(ray, box, t);
 	return t[0] <= t[1];
 }
 

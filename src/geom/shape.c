@@ -119,31 +119,43 @@ static Box3 class_box(const Shape *shape)
 	return shape->transform ? transform_box(shape->transform, box) : box;
 }
 
+/* How far to move both ends of an interval of which either may be infinite. */
+static double margin_of(double lo, double hi)
+{
+	double low = isinf(lo) ? 0 : fabs(lo), high = isinf(hi) ? 0 : fabs(hi);
+	return BOX_MARGIN * (low > high ? low : high);
+}
+
 static Box3 box_with_margin(Box3 box)
 {
 	if (box3_is_empty(box))
 		return box;
-	Vec3 far = vec3_max(vec3_max(vec3_neg(box.lo), box.lo), vec3_max(vec3_neg(box.hi), box.hi));
-	Vec3 margin = vec3_scale(far, BOX_MARGIN);
+	Vec3 margin = vec3(margin_of(box.lo.x, box.hi.x), margin_of(box.lo.y, box.hi.y), margin_of(box.lo.z, box.hi.z));
 	return (Box3){vec3_sub(box.lo, margin), vec3_add(box.hi, margin)};
 }
 
 static Box3 clip_box(const Shape *shape, Box3 box)
 {
 	for (int i = 0; i < shape->clip_count; i++)
-		box = box3_intersect(box, shape_region_box(shape->clip[i]));
+		box = shape_region_cut(shape->clip[i], box);
 	return box;
 }
 
-/* A class whose inside is bounded; CSG looks at its children. */
+/* A class whose inside is bounded, or cuts what is; CSG looks at its children. */
+Box3 shape_region_cut(const Shape *shape, Box3 box)
+{
+	if (csg_is(shape))
+		box = box3_intersect(box, csg_region_box(shape));
+	else if (shape->class->cut && !shape->transform && !box3_is_empty(box))
+		box = box3_intersect(box, box_with_margin(shape->class->cut(shape->data, shape->inverted, box)));
+	else if (!shape->inverted && !shape->class->inside_unbounded)
+		box = box3_intersect(box, box_with_margin(class_box(shape)));
+	return clip_box(shape, box);
+}
+
 Box3 shape_region_box(const Shape *shape)
 {
-	Box3 box = infinite_box();
-	if (csg_is(shape))
-		box = csg_region_box(shape);
-	else if (!shape->inverted && !shape->class->inside_unbounded)
-		box = box_with_margin(class_box(shape));
-	return clip_box(shape, box);
+	return shape_region_cut(shape, infinite_box());
 }
 
 void shape_finish(Shape *shape)

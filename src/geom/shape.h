@@ -14,6 +14,7 @@
 
 #include <stdbool.h>
 
+#include "base/arena.h"
 #include "base/transform.h"
 #include "base/vec.h"
 
@@ -48,7 +49,13 @@ typedef struct HitList {
 
 void hit_list_init(HitList *list);
 void hit_list_free(HitList *list);
-void hit_list_push(HitList *list, Hit hit);
+void hit_list_grow(HitList *list);
+static inline void hit_list_push(HitList *list, Hit hit)
+{
+	if (list->count == list->capacity)
+		hit_list_grow(list);
+	list->hits[list->count++] = hit;
+}
 /* Sorts by increasing t. */
 void hit_list_sort(HitList *list);
 /* Pushes the crossing at t when it lies between the ray's ends. */
@@ -102,6 +109,12 @@ struct ShapeClass {
 	int (*textures)(const void *data, const Hit *hit, Vec3 p, ShapeTextures *out);
 	/* inside() can hold outside of bounds(): a disc divides all space. */
 	bool inside_unbounded;
+	/* Optional, for shapes without bounds: a box around what of `box` (own space, sides may be
+	 * infinite) lies inside the shape, or outside of it. */
+	Box3 (*cut)(const void *data, bool outside, Box3 box);
+	/* Optional: data that are the same shape with the transform taken in, so that no ray needs
+	 * to be; NULL when there are none. */
+	const void *(*placed)(Arena *arena, const void *data, const Transform *transform);
 };
 
 struct Shape {

@@ -27,6 +27,16 @@ bool sphere_cross(Vec3 center, double radius, const Ray *ray, double t[2])
 	return true;
 }
 
+/* Only where the uv axes stay what they are. */
+static const void *sphere_placed(Arena *arena, const void *data, const Transform *transform)
+{
+	const Sphere *sphere = data;
+	double scale;
+	if (!transform_is_upright(transform) || !transform_is_similarity(transform, &scale))
+		return NULL;
+	return sphere_create(arena, transform_point(transform, sphere->center), sphere->radius * scale);
+}
+
 static bool sphere_bounds(const void *data, Box3 *box)
 {
 	const Sphere *sphere = data;
@@ -89,4 +99,5 @@ const ShapeClass sphere_class = {
 	.normal = sphere_normal,
 	.uv = sphere_uv,
 	.nearest = sphere_nearest,
+	.placed = sphere_placed,
 };

@@ -175,17 +175,30 @@ static const Shape *finish_shape(Shape *shape, const State *state)
 	return shape;
 }
 
+/* Into the data when the class knows how, else beside them. */
+static void place_shape(Flatten *flatten, Shape *shape, const Transform *world)
+{
+	const ShapeClass *class = shape->class;
+	if (transform_is_identity(world))
+		return;
+	const void *placed = class->placed ? class->placed(flatten->arena, shape->data, world) : NULL;
+	if (placed)
+		shape->data = placed;
+	else
+		shape->transform = arena_copy(flatten->arena, world, sizeof *world);
+}
+
 static void emit_primitive(Flatten *flatten, const Object *object, State *state, List *out)
 {
 	Shape *shape = new_shape(flatten, object->class, object->data);
-	shape->transform = keep_transform(flatten->arena, &state->world);
+	place_shape(flatten, shape, &state->world);
 	shape->inverted = state->inverted;
 	shape->part = state->part;
 	if (flatten->surfaces) {
 		if (object->texture_count) {
 			state->surface.textures = object->textures;
 			state->surface.texture_count = object->texture_count;
-			state->surface.numbered_attach = shape->transform;
+			state->surface.numbered_attach = keep_transform(flatten->arena, &state->world);
 		}
 		shape->owner = keep_surface(flatten, state);
 	}

@@ -3,6 +3,7 @@
 
 #include "geom/box.h"
 #include "geom/plane.h"
+#include "geom/poly.h"
 #include "geom/sphere.h"
 #include "tests/unit/shape_check.h"
 
@@ -135,6 +136,69 @@ static void test_nested(Arena *arena)
 	check_shape(rest, &(ShapeTraits){.name = "nested", .size = 4, .step = 1e-6, .fixed = true}, 1000);
 }
 
+static Shape *new_plane(Arena *arena, Vec3 normal, double distance)
+{
+	return new_shape(arena, &plane_class, plane_create(arena, normal, distance, &message));
+}
+
+/* A hyperboloid x^2 - y^2 + z^2 = 1 between two planes: none is bounded, all together are. */
+static void test_cut_bounds(Arena *arena)
+{
+	const double waist[10] = {1, -1, 1, 0, 0, 0, 0, 0, 0, -1};
+	Shape *quadric = new_shape(arena, &quadric_class, quadric_create(arena, waist));
+	Shape *top = new_plane(arena, vec3(0, 1, 0), 2), *bottom = new_plane(arena, vec3(0, -1, 0), 1);
+	Shape *ends = new_csg(arena, &csg_intersection_class, top, bottom);
+	CHECK(!shape_is_bounded(ends));
+	Shape *both = new_csg(arena, &csg_intersection_class, quadric, ends);
+	CHECK(shape_is_bounded(both));
+	CHECK_NEAR(both->box.lo.y, -1, 1e-8);
+	CHECK_NEAR(both->box.hi.y, 2, 1e-8);
+	CHECK_NEAR(both->box.lo.x, -sqrt(5), 1e-8);
+	CHECK_NEAR(both->box.hi.z, sqrt(5), 1e-8);
+	check_shape(both, &(ShapeTraits){.name = "waist", .size = 3, .step = 1e-6, .fixed = true}, 1000);
+	CHECK(!shape_is_bounded(new_csg(arena, &csg_intersection_class, new_inverse(arena, quadric), ends)));
+}
+
+/* A class with the transform in its data gives the crossings that the transform beside them gives. */
+static void check_placed(Arena *arena, const Shape *plain, Transform transform)
+{
+	Shape beside = *plain, within = *plain;
+	beside.transform = &transform;
+	within.data = plain->class->placed(arena, plain->data, &transform);
+	CHECK(within.data != NULL);
+	shape_finish(&beside);
+	shape_finish(&within);
+	for (int i = 0; i < 40; i++) {
+		Vec3 from = vec3(9 * cos(i), 9 * sin(i), 5 * cos(3 * i));
+		Ray ray = {from, vec3_sub(vec3(1 + 0.1 * cos(7 * i), 2, 3), from), 0, INFINITY};
+		Hit a, b;
+		bool hit = shape_nearest(&beside, &ray, &a);
+		CHECK(hit == shape_nearest(&within, &ray, &b));
+		if (hit) {
+			CHECK_NEAR(a.t, b.t, 1e-9);
+			CHECK_NEAR(vec3_dot(hit_normal(&a, ray_at(&ray, a.t)), hit_normal(&b, ray_at(&ray, b.t))), 1, 1e-9);
+		}
+		CHECK(shape_inside(&beside, from) == shape_inside(&within, from));
+	}
+}
+
+static void test_placed(Arena *arena)
+{
+	const double bowl[10] = {1, 2, 0.5, 0.3, -0.2, 0.1, 0.4, 0, -1, -1};
+	Transform turn = transform_rotate(vec3(20, 30, 40)), stretch = transform_scale(vec3(1, 2, 0.7));
+	Transform move = transform_translate(vec3(1, 2, 3)), even = transform_scale(vec3_all(1.5));
+	Transform turned = transform_compose(&turn, &stretch), upright = transform_compose(&stretch, &move);
+	turned = transform_compose(&turned, &move);
+	even = transform_compose(&even, &move);
+	check_placed(arena, new_shape(arena, &quadric_class, quadric_create(arena, bowl)), turned);
+	check_placed(arena, new_plane(arena, vec3(1, 2, -1), 0.5), turned);
+	check_placed(arena, new_sphere(arena, vec3(0.1, 0, 0.2), 1), even);
+	Shape *box = new_shape(arena, &box_class, box_create(arena, vec3_all(-1), vec3_all(0.9)));
+	check_placed(arena, box, upright);
+	CHECK(!box_class.placed(arena, box->data, &turned));
+	CHECK(!sphere_class.placed(arena, new_sphere(arena, vec3_all(0), 1)->data, &upright));
+}
+
 int main(void)
 {
 	Arena *arena = arena_create();
@@ -142,6 +206,8 @@ int main(void)
 	test_inversion(arena);
 	test_many_children(arena);
 	test_nested(arena);
+	test_cut_bounds(arena);
+	test_placed(arena);
 	arena_destroy(arena);
 	return CHECK_RESULT();
 }
