@@ -290,6 +290,7 @@ static void run_version(Reader *reader)
 		diag_error(reader->context.diag, where, "#version takes a number");
 	else if (!unofficial)
 		set_version(reader, value_to_float(frame.value), where);
+	reader->version_given = true;
 	declare_end(reader, &frame);
 }
 

@@ -8,6 +8,9 @@
 #include "parser/grammar.h"
 #include "parser/state.h"
 
+/* What a scene without #version is rendered as, though the word `version` reads 3.7; as POV-Ray 3.7 has it. */
+static const double VERSION_UNSAID = 3.62;
+
 /* The scene's own folder stands first among the library paths. */
 static void set_library_paths(Context *context, const ReaderOptions *options)
 {
@@ -113,6 +116,8 @@ static void read_scene(Reader *reader, const ReaderOptions *options)
 		return;
 	while (read_item(reader))
 		;
+	if (!reader->version_given)
+		reader->context.builder->settings.version = VERSION_UNSAID;
 }
 
 static void destroy(Reader *reader)
@@ -136,6 +141,9 @@ bool reader_read(const ReaderOptions *options, SceneBuilder *builder, Diag *diag
 	memset(reader, 0, sizeof *reader);
 	reader->options = options;
 	set_context(reader, options, builder, diag);
+	if (options->version > 0)
+		builder->settings.version = options->version;
+	reader->version_given = options->version > 0;
 	read_scene(reader, options);
 	files_close_all(&reader->context);
 	bool interrupted = options->interrupted && *options->interrupted;

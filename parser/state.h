@@ -127,6 +127,7 @@ struct Reader {
 	Semantic last_value;
 	bool poisoned;       /* it stands for a mistake that was reported */
 	bool stopped;        /* nothing more is read */
+	bool version_given;  /* by #version or the options */
 	const Expansion *expansions[256]; /* the latest, by a hash: loops call from the same place */
 };
 

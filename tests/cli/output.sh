@@ -61,4 +61,13 @@ status 1 bad.pov +Okeep
 same keep.png plain.png "the old picture after an error"
 status 0 ball.pov +W8 +C +Okeep
 same keep.png plain.png "the old picture with +C"
+
+# A scene without #version has the gamma of scenes before 3.7; one with only the unofficial version that of 3.7.
+sed 1d ball.pov >unsaid.pov
+{ echo '#version 3.6;'; cat unsaid.pov; } >older.pov
+{ echo '#version unofficial cognac 1.0;'; cat unsaid.pov; } >cognac.pov
+for name in unsaid older cognac ball; do status 0 $name.pov +Ov_$name; done
+same v_unsaid.png v_older.png "the picture without #version"
+same v_cognac.png v_ball.png "the picture of the unofficial version"
+! cmp -s v_unsaid.png v_ball.png || fail "no gamma of old scenes without #version"
 finish
