@@ -81,8 +81,6 @@ bool emission_takes_point(const Light *light)
 
 static Vec3 area_origin(const Light *light, const EmissionAim *aim, const double s[2])
 {
-	if (!emission_takes_point(light))
-		return light->position;
 	AreaFrame frame = area_frame(light, aim->center);
 	return area_point(light, &frame, s[0] * (light->size1 - 1), s[1] * (light->size2 - 1));
 }
@@ -113,15 +111,15 @@ static Emission sample_cap(const EmissionRegion *region, Vec2 disc)
 	};
 }
 
-Emission emission_sample(const Light *light, const EmissionAim *aim, const double s[4])
+Emission emission_sample(const Light *light, const EmissionAim *aim, const EmissionRegion *region, const double s[4])
 {
 	Vec2 disc = concentric_disc(s[0], s[1]);
-	if (is_collimated(light)) {
-		EmissionRegion region = disc_region(light, aim);
-		return sample_disc(light, aim, &region, disc);
-	}
-	EmissionRegion region = cap_region(light, area_origin(light, aim, s + 2), aim);
-	return sample_cap(&region, disc);
+	if (is_collimated(light))
+		return sample_disc(light, aim, region, disc);
+	if (!emission_takes_point(light))
+		return sample_cap(region, disc);
+	EmissionRegion own = cap_region(light, area_origin(light, aim, s + 2), aim); /* as seen from the point */
+	return sample_cap(&own, disc);
 }
 
 Rgb emission_flux(const Light *light, const Emission *emission, Vec3 p, double share, double *distance)

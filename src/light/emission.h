@@ -51,8 +51,8 @@ int emission_dimensions(const Light *light);
 /* Whether samples differ in the point of the light where they start: else the last two numbers mean nothing. */
 bool emission_takes_point(const Light *light);
 
-/* A sample, uniform over the region, from four numbers in [0, 1); the last two choose the point of an area light. */
-Emission emission_sample(const Light *light, const EmissionAim *aim, const double s[4]);
+/* A sample, uniform over the region (emission_region of light and aim), from four numbers in [0, 1); the last two choose the point of an area light. */
+Emission emission_sample(const Light *light, const EmissionAim *aim, const EmissionRegion *region, const double s[4]);
 
 /* The flux of a path that stands for `share` of its region (1/number of paths), when it first lands at p; *distance: from the
  * light, or from a collimated light's plane. */

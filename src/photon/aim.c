@@ -3,6 +3,7 @@
 #include <math.h>
 
 #include "base/random.h"
+#include "geom/sphere.h"
 #include "scene/accel.h"
 #include "scene/visit.h"
 
@@ -11,6 +12,7 @@
 typedef struct Target {
 	int id;
 	Box3 box;
+	EmissionAim ball;
 	double spacing; /* of its photons beside the others' */
 	const Surface *surface;
 } Target;
@@ -22,14 +24,32 @@ static void find_target(void *data, const Surface *surface)
 		*target = surface;
 }
 
-static void add_target(Target *targets, int *count, const Surface *surface, Box3 box)
+static EmissionAim ball_around(Box3 box)
+{
+	Vec3 center = vec3_scale(vec3_add(box.lo, box.hi), 0.5);
+	return (EmissionAim){center, vec3_distance(center, box.hi)};
+}
+
+/* A ball of its own kind is its own bound; its box has three times the ball's cross-section. */
+static EmissionAim ball_of(const Shape *shape)
+{
+	EmissionAim ball = ball_around(shape->box);
+	double scale;
+	if (shape->class == &sphere_class && (!shape->transform || transform_is_similarity(shape->transform, &scale)))
+		ball.radius /= sqrt(3);
+	return ball;
+}
+
+static void add_target(Target *targets, int *count, const Surface *surface, const Shape *shape)
 {
 	int i = 0;
 	while (i < *count && targets[i].id != surface->id)
 		i++;
 	if (i == *count)
-		targets[(*count)++] = (Target){surface->id, box3_empty(), surface->photon_spacing, surface};
-	targets[i].box = box3_union(targets[i].box, box);
+		targets[(*count)++] = (Target){.id = surface->id, .box = shape->box, .ball = ball_of(shape),
+		                              .spacing = surface->photon_spacing, .surface = surface};
+	else
+		targets[i].ball = ball_around(targets[i].box = box3_union(targets[i].box, shape->box));
 }
 
 static int find_targets(const Scene *scene, Target *targets)
@@ -39,7 +59,7 @@ static int find_targets(const Scene *scene, Target *targets)
 		const Surface *target = NULL;
 		shape_visit_surfaces(scene->shapes[i], find_target, &target);
 		if (target && shape_is_bounded(scene->shapes[i]))
-			add_target(targets, &count, target, scene->shapes[i]->box);
+			add_target(targets, &count, target, scene->shapes[i]);
 	}
 	return count;
 }
@@ -70,11 +90,13 @@ static void find_inside(const Scene *scene, Vec3 place, InsideStack *inside)
 			inside_cross(inside, around[i]->owner);
 }
 
-static PhotonAim make_aim(const Scene *scene, int light, const Target *target)
+static PhotonAim make_aim(const Scene *scene, int light, const Target *target, uint64_t seed)
 {
-	PhotonAim aim = {.light = light, .target = target->id, .box = target->box};
-	aim.ball.center = vec3_scale(vec3_add(target->box.lo, target->box.hi), 0.5);
-	aim.ball.radius = 0.5 * vec3_distance(target->box.lo, target->box.hi);
+	PhotonAim aim = {.light = light, .target = target->id, .box = target->box, .ball = target->ball};
+	uint64_t sequence = (uint64_t)light << 32 | (uint32_t)target->id;
+	for (uint64_t k = 0; k < 4; k++)
+		aim.shift[k] = random_uniform(seed, sequence, k);
+	aim.region = emission_region(&scene->lights[light], &aim.ball);
 	find_inside(scene, scene->lights[light].position, &aim.inside);
 	return aim;
 }
@@ -96,15 +118,13 @@ static const uint64_t HALTON_SKIP = 1; /* index 0 is a corner in every dimension
 Emission photon_emission(const Scene *scene, const PhotonAim *aim, const PhotonTraceOptions *options, uint64_t path)
 {
 	uint64_t index = options->pass * aim->paths + path + HALTON_SKIP;
-	uint64_t sequence = (uint64_t)aim->light << 32 | (uint32_t)aim->target;
 	double s[4] = {0};
 	int dimensions = emission_takes_point(&scene->lights[aim->light]) ? 4 : 2;
 	for (int k = 0; k < dimensions; k++) {
-		double shift = random_uniform(options->seed, sequence, (uint64_t)k);
-		s[k] = random_halton(index, k) + shift;
-		s[k] -= floor(s[k]);
+		s[k] = random_halton(index, k) + aim->shift[k];
+		s[k] -= s[k] >= 1;
 	}
-	return emission_sample(&scene->lights[aim->light], &aim->ball, s);
+	return emission_sample(&scene->lights[aim->light], &aim->ball, &aim->region, s);
 }
 
 /* The share of paths at the ball that meet the box. */
@@ -155,7 +175,7 @@ PhotonAims photon_aims(const Scene *scene, const PhotonTraceOptions *options, Ar
 				continue;
 			double spacing = targets[t].spacing > 0 ? targets[t].spacing : 1;
 			density[aims.count] = scene->lights[l].photons_share / (spacing * spacing);
-			aims.aims[aims.count++] = make_aim(scene, l, &targets[t]);
+			aims.aims[aims.count++] = make_aim(scene, l, &targets[t], options->seed);
 		}
 	}
 	share_out(scene, &aims, density, options);

@@ -15,6 +15,8 @@ typedef struct PhotonAim {
 	int light;         /* number of the scene's light */
 	int target;        /* Surface.id */
 	EmissionAim ball;
+	EmissionRegion region; /* of the light's own position */
+	double shift[4];   /* of the Halton points, by the seed */
 	Box3 box;          /* paths that miss it are counted but not followed */
 	uint64_t paths;    /* of this pass */
 	uint64_t first;    /* number of its first path among all of the pass */
