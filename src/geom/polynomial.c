@@ -226,8 +226,19 @@ static double root_bound(const double *c, int degree)
 	return ldexp(1, exponent < 1000 ? exponent + 1 : 1000);
 }
 
+/* An overflowed coefficient, of a shape with absurd sizes, leaves nothing to solve. */
+static bool all_finite(const double *c, int degree)
+{
+	for (int i = 0; i <= degree; i++)
+		if (!isfinite(c[i]))
+			return false;
+	return true;
+}
+
 int polynomial_roots(const double *c, int degree, double lo, double hi, double *roots)
 {
+	if (!all_finite(c, degree))
+		return 0;
 	while (degree > 0 && c[degree] == 0)
 		degree--;
 	if (degree == 0 || !(lo < hi))

@@ -45,6 +45,8 @@ static void test_bad_scales(void)
 	double found[3];
 	CHECK(polynomial_roots((double[]){-2, 1, 0, 1e-30}, 3, 0, 100, found) == 1);
 	CHECK_NEAR(found[0], 2, 1e-14);
+	CHECK(polynomial_roots((double[]){-1, 0, 1, INFINITY}, 3, 0, 100, found) == 0);
+	CHECK(polynomial_roots((double[]){-1, NAN, 0, 1}, 3, 0, 100, found) == 0);
 	CHECK(polynomial_roots((double[]){2, -3, 1, 0, 0}, 4, -INFINITY, INFINITY, found) == 2);
 }
 
