@@ -41,9 +41,15 @@ static inline int64_t lattice_floor(double v)
 	return i - (v < (double)i);
 }
 
+/* Places too far out for the lattice's numbers, or nowhere, count as the origin. */
+static inline double on_lattice(double v) { return v > -0x1p62 && v < 0x1p62 ? v : 0; }
+
 static inline Cell lattice_cell(double x, double y, double z)
 {
 	Cell c;
+	x = on_lattice(x);
+	y = on_lattice(y);
+	z = on_lattice(z);
 	c.x = lattice_floor(x);
 	c.y = lattice_floor(y);
 	c.z = lattice_floor(z);
@@ -132,9 +138,9 @@ static double perlin_value(Vec3 p)
 
 Vec3 noise_cube_random(Vec3 cube)
 {
-	int hash = noise_hash[(int64_t)cube.x & LATTICE_MASK];
-	hash = noise_hash[hash ^ ((int64_t)cube.y & LATTICE_MASK)];
-	hash = noise_hash[hash ^ ((int64_t)cube.z & LATTICE_MASK)];
+	int hash = noise_hash[(int64_t)on_lattice(cube.x) & LATTICE_MASK];
+	hash = noise_hash[hash ^ ((int64_t)on_lattice(cube.y) & LATTICE_MASK)];
+	hash = noise_hash[hash ^ ((int64_t)on_lattice(cube.z) & LATTICE_MASK)];
 	const uint32_t *random = noise_twister + hash;
 	return vec3(random[0] * 0x1p-32, random[1] * 0x1p-32, random[2] * 0x1p-32);
 }
