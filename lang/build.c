@@ -92,7 +92,8 @@ void build_defaults(Context *context, const Node *items)
 	while (!cursor_at_end(&cursor)) {
 		const Node *camera = cursor_accept_block(&cursor, W_camera);
 		if (camera)
-			context->defaults.camera = build_camera(context, camera, context->defaults.camera);
+			context->defaults.camera = build_camera(context, camera,
+								context->defaults.camera);
 		else if (cursor_peek_block(&cursor) && build_texture_default(context, cursor.at))
 			cursor_next(&cursor);
 		else
@@ -118,7 +119,8 @@ static Value build_layers(Cursor *cursor)
 	const Texture *texture = NULL;
 	const Node *block;
 	while ((block = cursor_accept_block(cursor, W_texture)))
-		texture = build_texture_stack(cursor->context, texture, build_texture(cursor->context, block));
+		texture = build_texture_stack(cursor->context, texture,
+					      build_texture(cursor->context, block));
 	return value_item(VALUE_TEXTURE, texture);
 }
 
@@ -138,14 +140,18 @@ static Value build_block_value(Context *context, const Node *block)
 {
 	const Defaults *defaults = &context->defaults;
 	switch (block->word) {
-	case W_pigment: return value_item(VALUE_PIGMENT, build_pigment(context, block, defaults->pigment));
-	case W_normal: return value_of(VALUE_NORMAL, build_normal(context, block, defaults->normal));
-	case W_finish: return value_item(VALUE_FINISH, build_finish(context, block, defaults->finish));
+	case W_pigment:
+		return value_item(VALUE_PIGMENT, build_pigment(context, block, defaults->pigment));
+	case W_normal:
+		return value_of(VALUE_NORMAL, build_normal(context, block, defaults->normal));
+	case W_finish:
+		return value_item(VALUE_FINISH, build_finish(context, block, defaults->finish));
 	case W_interior: return value_item(VALUE_INTERIOR, build_interior(context, block, NULL));
 	case W_material: return value_item(VALUE_MATERIAL, build_material(context, block));
 	case W_media: return value_item(VALUE_MEDIA, build_media(context, block));
 	case W_density: return value_item(VALUE_DENSITY, build_media(context, block));
-	case W_camera: return value_item(VALUE_CAMERA, build_camera(context, block, defaults->camera));
+	case W_camera:
+		return value_item(VALUE_CAMERA, build_camera(context, block, defaults->camera));
 	case W_fog: return value_item(VALUE_FOG, build_fog(context, block));
 	case W_rainbow: return value_item(VALUE_RAINBOW, build_rainbow(context, block));
 	case W_sky_sphere: return value_item(VALUE_SKY_SPHERE, build_sky_sphere(context, block));
@@ -160,7 +166,8 @@ static Value build_block_value(Context *context, const Node *block)
 	case W_slope_map:
 	case W_texture_map: return build_map(context, block);
 	default:
-		diag_error(context->diag, block->where, "'%s' is nothing that a name can hold", word_text(block->word));
+		diag_error(context->diag, block->where, "'%s' is nothing that a name can hold",
+			   word_text(block->word));
 		return value_none();
 	}
 }
@@ -171,8 +178,8 @@ static Value build_bare_transform(Cursor *cursor)
 	Transform transform = transform_identity();
 	while (build_accept_transform(cursor, &transform))
 		;
-	return value_item(VALUE_TRANSFORM,
-	                  arena_copy(cursor->context->builder->arena, &transform, sizeof transform));
+	return value_item(VALUE_TRANSFORM, arena_copy(cursor->context->builder->arena, &transform,
+						      sizeof transform));
 }
 
 Value build_value(Context *context, const Node *items)

@@ -23,7 +23,12 @@ void build_background(Context *context, const Node *block)
 static Fog fog_default(void)
 {
 	return (Fog){
-		.kind = FOG_CONSTANT, .up = {0, 1, 0}, .turb_depth = 0.5, .octaves = 6, .omega = 0.5, .lambda = 2,
+		.kind = FOG_CONSTANT,
+		.up = {0, 1, 0},
+		.turb_depth = 0.5,
+		.octaves = 6,
+		.omega = 0.5,
+		.lambda = 2,
 	};
 }
 
@@ -139,7 +144,8 @@ static bool accept_rainbow_number(Cursor *cursor, Rainbow *rainbow)
 
 const Rainbow *build_rainbow(Context *context, const Node *block)
 {
-	Rainbow rainbow = {.up = {0, 1, 0}, .distance = 1e7, .arc_angle = 360, .falloff_angle = 360};
+	Rainbow rainbow = {
+		.up = {0, 1, 0}, .distance = 1e7, .arc_angle = 360, .falloff_angle = 360};
 	const ColorMap *map = NULL;
 	Cursor cursor = cursor_begin(context, block);
 	const Rainbow *named = cursor_accept_item(&cursor, VALUE_RAINBOW);
@@ -152,7 +158,8 @@ const Rainbow *build_rainbow(Context *context, const Node *block)
 		rainbow.pigment = gradient_pigment(context, map);
 	rainbow.antisolar = vec3_normalize(rainbow.direction);
 	if (vec3_length2(rainbow.direction) == 0 || !rainbow.pigment || rainbow.width == 0)
-		diag_error(context->diag, block->where, "a rainbow needs a direction, a width and a color_map");
+		diag_error(context->diag, block->where,
+			   "a rainbow needs a direction, a width and a color_map");
 	return arena_copy(context->builder->arena, &rainbow, sizeof rainbow);
 }
 
@@ -178,7 +185,8 @@ const SkySphere *build_sky_sphere(Context *context, const Node *block)
 	while (!cursor_at_end(&cursor)) {
 		const Node *inner = cursor_accept_block(&cursor, W_pigment);
 		if (inner)
-			add_sky_pigment(context, &sky, build_pigment(context, inner, context->defaults.pigment));
+			add_sky_pigment(context, &sky,
+					build_pigment(context, inner, context->defaults.pigment));
 		else if (cursor_accept_word(&cursor, W_emission))
 			cursor_take_rgb(&cursor, &sky.emission);
 		else if (!build_accept_transform(&cursor, &sky.transform))

@@ -1,4 +1,5 @@
-/* What lies around the objects: background, fog, rainbow, sky_sphere. Results live in the scene arena and are never NULL. */
+/* What lies around the objects: background, fog, rainbow, sky_sphere. Results live in the scene
+ * arena and are never NULL. */
 #ifndef LANG_BUILD_ATMOSPHERE_H
 #define LANG_BUILD_ATMOSPHERE_H
 

@@ -24,8 +24,9 @@ static bool accept_kind(Cursor *cursor, Camera *camera)
 		Word word;
 		CameraKind kind;
 	} rows[] = {
-		{W_perspective, CAMERA_PERSPECTIVE}, {W_orthographic, CAMERA_ORTHOGRAPHIC}, {W_fisheye, CAMERA_FISHEYE},
-		{W_ultra_wide_angle, CAMERA_ULTRA_WIDE}, {W_omnimax, CAMERA_OMNIMAX}, {W_panoramic, CAMERA_PANORAMIC},
+		{W_perspective, CAMERA_PERSPECTIVE}, {W_orthographic, CAMERA_ORTHOGRAPHIC},
+		{W_fisheye, CAMERA_FISHEYE},         {W_ultra_wide_angle, CAMERA_ULTRA_WIDE},
+		{W_omnimax, CAMERA_OMNIMAX},         {W_panoramic, CAMERA_PANORAMIC},
 		{W_spherical, CAMERA_SPHERICAL},
 	};
 	for (size_t i = 0; i < sizeof rows / sizeof *rows; i++)
@@ -36,8 +37,10 @@ static bool accept_kind(Cursor *cursor, Camera *camera)
 	if (!cursor_accept_word(cursor, W_cylinder))
 		return false;
 	camera->kind = CAMERA_CYLINDER;
-	if (cursor_take_int(cursor, &camera->cylinder) && (camera->cylinder < 1 || camera->cylinder > 4))
-		diag_error(cursor->context->diag, cursor->last->where, "a cylinder camera's type must be from 1 to 4");
+	if (cursor_take_int(cursor, &camera->cylinder) &&
+	    (camera->cylinder < 1 || camera->cylinder > 4))
+		diag_error(cursor->context->diag, cursor->last->where,
+			   "a cylinder camera's type must be from 1 to 4");
 	return true;
 }
 
@@ -63,14 +66,16 @@ static bool accept_vector(Cursor *cursor, CameraReading *reading)
 	return true;
 }
 
-/* angle horizontal [vertical]; without a number it only asks an orthographic camera for a perspective one's width. */
+/* angle horizontal [vertical]; without a number it only asks an orthographic camera for a
+ * perspective one's width. */
 static void read_angle(Cursor *cursor, CameraReading *reading)
 {
 	Camera *camera = &reading->camera;
 	reading->has_angle = true;
 	camera->angle = cursor_optional_float(cursor, 0);
 	if (camera->angle < 0 || (camera->kind == CAMERA_PERSPECTIVE && camera->angle >= 180)) {
-		diag_error(cursor->context->diag, cursor->last->where, "a viewing angle of %g degrees", camera->angle);
+		diag_error(cursor->context->diag, cursor->last->where,
+			   "a viewing angle of %g degrees", camera->angle);
 		camera->angle = 0;
 	}
 	if (camera->angle > 0) {
@@ -108,8 +113,8 @@ static bool accept_blur(Cursor *cursor, CameraReading *reading)
 		Cursor inside = cursor_begin(cursor->context, block);
 		const Node *pigment = cursor_accept_block(&inside, W_pigment);
 		if (pigment)
-			camera->bokeh_pigment =
-				build_pigment(cursor->context, pigment, cursor->context->defaults.pigment);
+			camera->bokeh_pigment = build_pigment(cursor->context, pigment,
+							      cursor->context->defaults.pigment);
 		else
 			cursor_expected(&inside, "a pigment");
 		cursor_end(&inside);
@@ -128,11 +133,14 @@ static void read_camera_meshes(Cursor *cursor, MeshCamera *camera)
 	MeshCameraPart *parts = ARENA_ARRAY(arena, MeshCameraPart, list.count + 1);
 	for (int i = 0; i < list.count; i++) {
 		MeshCameraPart *part = &parts[camera->part_count];
-		*part = (MeshCameraPart){.mesh = list.items[i]->data, .transform = list.items[i]->transform};
+		*part = (MeshCameraPart){.mesh = list.items[i]->data,
+					 .transform = list.items[i]->transform};
 		if (list.items[i]->kind != OBJECT_PRIMITIVE || list.items[i]->class != &mesh_class)
-			diag_error(cursor->context->diag, cursor->block->where, "a mesh_camera takes meshes only");
+			diag_error(cursor->context->diag, cursor->block->where,
+				   "a mesh_camera takes meshes only");
 		else if (camera->distribution == 3 && !mesh_camera_index(arena, part))
-			diag_error(cursor->context->diag, cursor->block->where, "a mesh_camera of distribution 3 needs uv_vectors");
+			diag_error(cursor->context->diag, cursor->block->where,
+				   "a mesh_camera of distribution 3 needs uv_vectors");
 		else
 			camera->part_count++;
 	}
@@ -144,11 +152,13 @@ static void read_mesh_camera(Cursor *outer, const Node *block, CameraReading *re
 {
 	Cursor cursor = cursor_begin(outer->context, block);
 	MeshCamera *camera = ARENA_NEW(outer->context->builder->arena, MeshCamera);
-	if (!cursor_take_int(&cursor, &camera->rays) || !cursor_take_int(&cursor, &camera->distribution))
+	if (!cursor_take_int(&cursor, &camera->rays) ||
+	    !cursor_take_int(&cursor, &camera->distribution))
 		return;
 	camera->max_distance = cursor_optional_float(&cursor, 0);
 	if (camera->rays < 1 || camera->distribution < 0 || camera->distribution > 3) {
-		diag_error(outer->context->diag, block->where, "a mesh_camera takes at least one ray and a distribution from 0 to 3");
+		diag_error(outer->context->diag, block->where,
+			   "a mesh_camera takes at least one ray and a distribution from 0 to 3");
 		return;
 	}
 	read_camera_meshes(&cursor, camera);
@@ -165,7 +175,8 @@ static bool accept_other(Cursor *cursor, CameraReading *reading)
 {
 	const Node *block;
 	if ((block = cursor_accept_block(cursor, W_normal)))
-		reading->camera.normal = build_normal(cursor->context, block, reading->camera.normal);
+		reading->camera.normal = build_normal(cursor->context, block,
+						      reading->camera.normal);
 	else if ((block = cursor_accept_block(cursor, W_mesh_camera)))
 		read_mesh_camera(cursor, block, reading);
 	else if (cursor_accept_word(cursor, W_angle))
@@ -196,7 +207,8 @@ static void look_at(CameraReading *reading)
 	camera->right = vec3_scale(across, handedness > 0 ? right : -right);
 }
 
-/* Without a size of its own, or with an angle, an orthographic camera sees at look_at what a perspective one would. */
+/* Without a size of its own, or with an angle, an orthographic camera sees at look_at what a
+ * perspective one would. */
 static void size_orthographic(CameraReading *reading)
 {
 	Camera *camera = &reading->camera;
@@ -232,8 +244,10 @@ static void finish_camera(Context *context, CameraReading *reading, const Node *
 		finish_mesh_camera(reading);
 		return;
 	}
-	if (vec3_length2(camera->direction) == 0 || vec3_length2(camera->right) == 0 || vec3_length2(camera->up) == 0) {
-		diag_error(context->diag, block->where, "a camera's direction, right and up must not be zero");
+	if (vec3_length2(camera->direction) == 0 || vec3_length2(camera->right) == 0 ||
+	    vec3_length2(camera->up) == 0) {
+		diag_error(context->diag, block->where,
+			   "a camera's direction, right and up must not be zero");
 		*camera = *context->defaults.camera;
 		return;
 	}
@@ -276,9 +290,9 @@ const Camera *build_camera(Context *context, const Node *block, const Camera *ba
 		return arena_copy(context->builder->arena, &reading.camera, sizeof reading.camera);
 	}
 	while (!cursor_at_end(&cursor))
-		if (!build_accept_transform(&cursor, &reading.transform) && !accept_kind(&cursor, &reading.camera) &&
-		    !accept_vector(&cursor, &reading) && !accept_blur(&cursor, &reading) &&
-		    !accept_other(&cursor, &reading))
+		if (!build_accept_transform(&cursor, &reading.transform) &&
+		    !accept_kind(&cursor, &reading.camera) && !accept_vector(&cursor, &reading) &&
+		    !accept_blur(&cursor, &reading) && !accept_other(&cursor, &reading))
 			cursor_unexpected(&cursor);
 	finish_camera(context, &reading, block);
 	return arena_copy(context->builder->arena, &reading.camera, sizeof reading.camera);

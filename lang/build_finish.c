@@ -21,10 +21,22 @@ static void take_amount(Cursor *cursor, bool *albedo, float *out)
 	take_number(cursor, out);
 }
 
-static void take_ambient(Cursor *cursor, Finish *finish) { cursor_take_rgb(cursor, &finish->ambient); }
-static void take_emission(Cursor *cursor, Finish *finish) { cursor_take_rgb(cursor, &finish->emission); }
-static void take_brilliance(Cursor *cursor, Finish *finish) { take_number(cursor, &finish->brilliance); }
-static void take_phong_size(Cursor *cursor, Finish *finish) { take_number(cursor, &finish->phong_size); }
+static void take_ambient(Cursor *cursor, Finish *finish)
+{
+	cursor_take_rgb(cursor, &finish->ambient);
+}
+static void take_emission(Cursor *cursor, Finish *finish)
+{
+	cursor_take_rgb(cursor, &finish->emission);
+}
+static void take_brilliance(Cursor *cursor, Finish *finish)
+{
+	take_number(cursor, &finish->brilliance);
+}
+static void take_phong_size(Cursor *cursor, Finish *finish)
+{
+	take_number(cursor, &finish->phong_size);
+}
 static void take_crand(Cursor *cursor, Finish *finish) { take_number(cursor, &finish->crand); }
 
 /* diffuse [albedo] FRONT [, BACK] */
@@ -34,7 +46,10 @@ static void take_diffuse(Cursor *cursor, Finish *finish)
 	finish->diffuse_back = (float)cursor_optional_float(cursor, finish->diffuse_back);
 }
 
-static void take_phong(Cursor *cursor, Finish *finish) { take_amount(cursor, &finish->phong_albedo, &finish->phong); }
+static void take_phong(Cursor *cursor, Finish *finish)
+{
+	take_amount(cursor, &finish->phong_albedo, &finish->phong);
+}
 
 static void take_specular(Cursor *cursor, Finish *finish)
 {
@@ -152,8 +167,14 @@ static Interior *own_interior(Cursor *cursor, Finish *finish)
 	return interior;
 }
 
-static void take_ior(Cursor *cursor, Finish *finish) { take_number(cursor, &own_interior(cursor, finish)->ior); }
-static void take_caustics(Cursor *cursor, Finish *finish) { take_number(cursor, &own_interior(cursor, finish)->caustics); }
+static void take_ior(Cursor *cursor, Finish *finish)
+{
+	take_number(cursor, &own_interior(cursor, finish)->ior);
+}
+static void take_caustics(Cursor *cursor, Finish *finish)
+{
+	take_number(cursor, &own_interior(cursor, finish)->caustics);
+}
 
 static void take_fade_distance(Cursor *cursor, Finish *finish)
 {

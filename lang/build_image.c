@@ -33,14 +33,16 @@ static void encode_channels(float *values, size_t count, int channels, double ga
 	int colors = channels >= 3 ? 3 : 1;
 	for (size_t i = 0; i < count; i++)
 		for (int c = 0; c < colors; c++)
-			values[i * (size_t)channels + (size_t)c] = encode(values[i * (size_t)channels + (size_t)c], gamma);
+			values[i * (size_t)channels + (size_t)c] = encode(
+				values[i * (size_t)channels + (size_t)c], gamma);
 }
 
 /* Linear light to a working space that is not linear. */
 static void image_encode(Image *image, double gamma)
 {
 	if (image->pixels)
-		encode_channels(image->pixels, (size_t)image->width * (size_t)image->height, image->channels, gamma);
+		encode_channels(image->pixels, (size_t)image->width * (size_t)image->height,
+				image->channels, gamma);
 	if (image->palette)
 		encode_channels(image->palette, (size_t)image->palette_count, 4, gamma);
 }
@@ -104,7 +106,16 @@ static Image *read_image(Context *context, const char *name, Location where)
 static bool is_image_type(Word word)
 {
 	switch (word) {
-	case W_exr: case W_gif: case W_hdr: case W_iff: case W_jpeg: case W_pgm: case W_png: case W_pot: case W_ppm: case W_sys:
+	case W_exr:
+	case W_gif:
+	case W_hdr:
+	case W_iff:
+	case W_jpeg:
+	case W_pgm:
+	case W_png:
+	case W_pot:
+	case W_ppm:
+	case W_sys:
 	case W_tga: case W_tiff: case W_bmp:
 		return true;
 	default:
@@ -140,10 +151,12 @@ static void take_clear(Cursor *inside, ImageMap *map, bool filter)
 		return;
 	}
 	if (index >= map->palette_count) {
-		diag_warning(inside->context->diag, inside->last->where, "the image has no colour number %d", index);
+		diag_warning(inside->context->diag, inside->last->where,
+			     "the image has no colour number %d", index);
 		return;
 	}
-	float *copy = arena_alloc(inside->context->builder->arena, sizeof *copy * (size_t)map->palette_count);
+	float *copy = arena_alloc(inside->context->builder->arena,
+				  sizeof *copy * (size_t)map->palette_count);
 	for (int i = 0; i < map->palette_count; i++)
 		copy[i] = *entries ? (*entries)[i] : 0;
 	copy[index] = (float)amount;
@@ -158,7 +171,8 @@ static void take_map_type(Cursor *inside, ImageMap *map)
 	if (type == 0 || type == 1 || type == 2 || type == 5 || type == 7)
 		map->mapping = (ImageMapping)type;
 	else
-		diag_error(inside->context->diag, inside->last->where, "there is no map_type %d", type);
+		diag_error(inside->context->diag, inside->last->where, "there is no map_type %d",
+			   type);
 }
 
 static void take_interpolate(Cursor *inside, ImageMap *map)
@@ -167,9 +181,11 @@ static void take_interpolate(Cursor *inside, ImageMap *map)
 	if (!cursor_take_int(inside, &type))
 		return;
 	if (type >= 0 && type <= 4)
-		map->interpolation = type == 1 ? IMAGE_INTERPOLATION_BILINEAR : (ImageInterpolation)type;
+		map->interpolation = type == 1 ? IMAGE_INTERPOLATION_BILINEAR
+					       : (ImageInterpolation)type;
 	else
-		diag_error(inside->context->diag, inside->last->where, "there is no interpolate %d", type);
+		diag_error(inside->context->diag, inside->last->where, "there is no interpolate %d",
+			   type);
 }
 
 /* One modifier behind the file's name; false when none is next. */
@@ -177,8 +193,18 @@ static bool take_image_modifier(Cursor *inside, ImageMap *map, double *bump_size
 {
 	Word word = cursor_peek_word(inside);
 	switch (word) {
-	case W_map_type: case W_interpolate: case W_once: case W_filter: case W_transmit: case W_use_color:
-	case W_use_colour: case W_use_index: case W_use_alpha: case W_bump_size: case W_offset: case W_premultiplied:
+	case W_map_type:
+	case W_interpolate:
+	case W_once:
+	case W_filter:
+	case W_transmit:
+	case W_use_color:
+	case W_use_colour:
+	case W_use_index:
+	case W_use_alpha:
+	case W_bump_size:
+	case W_offset:
+	case W_premultiplied:
 		cursor_next(inside);
 		break;
 	default:
@@ -200,13 +226,15 @@ static bool take_image_modifier(Cursor *inside, ImageMap *map, double *bump_size
 	return true;
 }
 
-/* POV-Ray takes PPM, PGM and TIFF for linear light when they do not say otherwise, all other kinds for sRGB. */
+/* POV-Ray takes PPM, PGM and TIFF for linear light when they do not say otherwise, all other kinds
+ * for sRGB. */
 static double fallback_gamma(Word type, const char *name)
 {
 	const char *suffix = strrchr(name, '.');
 	if (type != W_NONE || !suffix)
 		return type == W_ppm || type == W_pgm || type == W_tiff;
-	return !strcasecmp(suffix, ".ppm") || !strcasecmp(suffix, ".pgm") || !strncasecmp(suffix, ".tif", 4);
+	return !strcasecmp(suffix, ".ppm") || !strcasecmp(suffix, ".pgm") ||
+	       !strncasecmp(suffix, ".tif", 4);
 }
 
 /* [type] "name" [gamma G] */

@@ -1,4 +1,5 @@
-/* `function WIDTH, HEIGHT { ... }` where an image's name may stand: a raster of the unit square of the x-y plane. */
+/* `function WIDTH, HEIGHT { ... }` where an image's name may stand: a raster of the unit square of
+ * the x-y plane. */
 #include <math.h>
 
 #include "lang/build_image.h"
@@ -6,7 +7,8 @@
 
 enum { RESOLUTION_MAX = 16384 };
 
-/* Where pixel i of count lies: the first at 0, the last at 1; rows count from the top, but the top row is y = 0. */
+/* Where pixel i of count lies: the first at 0, the last at 1; rows count from the top, but the top
+ * row is y = 0. */
 static double place(int i, int count) { return count > 1 ? (double)i / (count - 1) : 0; }
 
 /* Heights outside 0..1 start again, as everywhere in patterns. */
@@ -23,7 +25,8 @@ static float *fill_gray(Arena *arena, const Function *function, int width, int h
 	for (int y = 0; y < height; y++)
 		for (int x = 0; x < width; x++) {
 			double args[3] = {place(x, width), place(y, height), 0};
-			pixels[(size_t)y * (size_t)width + (size_t)x] = wrap(function_eval(function, args));
+			pixels[(size_t)y * (size_t)width + (size_t)x] = wrap(
+				function_eval(function, args));
 		}
 	return pixels;
 }
@@ -49,8 +52,8 @@ static bool take_size(Cursor *inside, int *size)
 		return false;
 	if (*size >= 1 && *size <= RESOLUTION_MAX)
 		return true;
-	diag_error(inside->context->diag, inside->block->where, "an image of a function is 1 to %d pixels wide and high",
-	           RESOLUTION_MAX);
+	diag_error(inside->context->diag, inside->block->where,
+		   "an image of a function is 1 to %d pixels wide and high", RESOLUTION_MAX);
 	return false;
 }
 
@@ -59,14 +62,18 @@ bool build_function_image(Context *context, const Node *block, ImageMap *map)
 	Arena *arena = context->builder->arena;
 	Cursor inside = cursor_begin(context, block);
 	const Function *gray = cursor_accept_item(&inside, VALUE_FUNCTION);
-	const VectorFunction *color = gray ? NULL : cursor_take_item(&inside, VALUE_VECTOR_FUNCTION, "a function");
-	if ((!gray && !color) || !take_size(&inside, &map->width) || !take_size(&inside, &map->height))
+	const VectorFunction *color = gray ? NULL
+					   : cursor_take_item(&inside, VALUE_VECTOR_FUNCTION,
+							      "a function");
+	if ((!gray && !color) || !take_size(&inside, &map->width) ||
+	    !take_size(&inside, &map->height))
 		return false;
 	if ((gray ? function_arity(gray) : color->arity) != 3) {
 		diag_error(context->diag, block->where, "a function for an image takes x, y and z");
 		return false;
 	}
 	map->channels = gray ? 1 : 4;
-	map->pixels = gray ? fill_gray(arena, gray, map->width, map->height) : fill_color(arena, color, map->width, map->height);
+	map->pixels = gray ? fill_gray(arena, gray, map->width, map->height)
+			   : fill_color(arena, color, map->width, map->height);
 	return cursor_end(&inside);
 }

@@ -12,9 +12,11 @@ static void take_number(Cursor *cursor, float *out)
 
 static void take_samples(Cursor *cursor, Interior *interior)
 {
-	if (!cursor_take_int(cursor, &interior->dispersion_samples) || interior->dispersion_samples >= 2)
+	if (!cursor_take_int(cursor, &interior->dispersion_samples) ||
+	    interior->dispersion_samples >= 2)
 		return;
-	diag_error(cursor->context->diag, cursor->last->where, "dispersion_samples takes 2 or more");
+	diag_error(cursor->context->diag, cursor->last->where,
+		   "dispersion_samples takes 2 or more");
 	interior->dispersion_samples = interior_default().dispersion_samples;
 }
 
@@ -33,7 +35,8 @@ static bool take_item(Cursor *cursor, Interior *interior)
 		take_number(cursor, &interior->fade_distance);
 	else if (cursor_accept_word(cursor, W_fade_power))
 		take_number(cursor, &interior->fade_power);
-	else if (cursor_accept_word(cursor, W_fade_color) || cursor_accept_word(cursor, W_fade_colour))
+	else if (cursor_accept_word(cursor, W_fade_color) ||
+		 cursor_accept_word(cursor, W_fade_colour))
 		cursor_take_rgb(cursor, &interior->fade_color);
 	else if (cursor_accept_word(cursor, W_dispersion))
 		take_number(cursor, &interior->dispersion);
@@ -67,17 +70,20 @@ static bool take_material_item(Cursor *cursor, Material *material)
 	Transform transform = transform_identity();
 	const Node *block;
 	if ((block = cursor_accept_block(cursor, W_texture)))
-		material->texture = build_texture_stack(context, material->texture, build_texture(context, block));
+		material->texture = build_texture_stack(context, material->texture,
+							build_texture(context, block));
 	else if ((block = cursor_accept_block(cursor, W_interior_texture)))
-		material->interior_texture =
-			build_texture_stack(context, material->interior_texture, build_texture(context, block));
+		material->interior_texture = build_texture_stack(
+			context, material->interior_texture, build_texture(context, block));
 	else if ((block = cursor_accept_block(cursor, W_interior)))
 		material->interior = build_interior(context, block, material->interior);
 	else if (build_accept_transform(cursor, &transform)) {
 		if (material->texture)
-			material->texture = build_texture_transform(context, material->texture, &transform);
+			material->texture = build_texture_transform(context, material->texture,
+								    &transform);
 		if (material->interior_texture)
-			material->interior_texture = build_texture_transform(context, material->interior_texture, &transform);
+			material->interior_texture = build_texture_transform(
+				context, material->interior_texture, &transform);
 	} else
 		return false;
 	return true;

@@ -5,8 +5,9 @@
 #include "lang/build_photons.h"
 #include "lang/build_transform.h"
 
-/* A light being read: everything stands in the space around it, and is moved at each transformation. Angles wait until the
- * kind is known: they are degrees for a spotlight, lengths for a cylinder. */
+/* A light being read: everything stands in the space around it, and is moved at each
+ * transformation. Angles wait until the kind is known: they are degrees for a spotlight, lengths
+ * for a cylinder. */
 typedef struct LightReading {
 	Light light;
 	Object *looks_like, *projected_through;
@@ -36,7 +37,8 @@ static Object *read_one_object(Cursor *cursor, const Node *block)
 	cursor_end(&inside);
 	if (list.count == 1)
 		return arena_copy(cursor->context->builder->arena, list.items[0], sizeof(Object));
-	diag_error(cursor->context->diag, block->where, "'%s' needs one object", word_text(block->word));
+	diag_error(cursor->context->diag, block->where, "'%s' needs one object",
+		   word_text(block->word));
 	return NULL;
 }
 
@@ -133,8 +135,8 @@ static bool read_item(Cursor *cursor, LightReading *reading)
 	       accept_block(cursor, reading);
 }
 
-/* A spotlight's angles become cosines, a cylinder's radii stay lengths; each kind has its defaults (measured on POV-Ray 3.7). A
- * parallel spotlight is a parallel light. */
+/* A spotlight's angles become cosines, a cylinder's radii stay lengths; each kind has its defaults
+ * (measured on POV-Ray 3.7). A parallel spotlight is a parallel light. */
 static void finish_cone(LightReading *reading)
 {
 	Light *light = &reading->light;
@@ -155,7 +157,8 @@ bool build_light_source(Cursor *cursor, Object *object)
 {
 	LightReading reading = {.light = light_default()};
 	object->kind = OBJECT_LIGHT;
-	if (!cursor_take_vec3(cursor, &reading.light.position) || !cursor_take_rgb(cursor, &reading.light.color))
+	if (!cursor_take_vec3(cursor, &reading.light.position) ||
+	    !cursor_take_rgb(cursor, &reading.light.color))
 		return false;
 	while (!cursor_at_end(cursor))
 		if (!read_item(cursor, &reading))
@@ -170,6 +173,7 @@ bool build_light_source(Cursor *cursor, Object *object)
 		build_object_adopt(cursor, object, &list);
 	}
 	object->projected_through = reading.projected_through;
-	object->light = arena_copy(cursor->context->builder->arena, &reading.light, sizeof reading.light);
+	object->light = arena_copy(cursor->context->builder->arena, &reading.light,
+				   sizeof reading.light);
 	return true;
 }

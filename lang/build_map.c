@@ -12,7 +12,10 @@ typedef struct Entries {
 	int count, capacity;
 } Entries;
 
-static Entries entries_create(Context *context, size_t size) { return (Entries){context, size, NULL, 0, 0}; }
+static Entries entries_create(Context *context, size_t size)
+{
+	return (Entries){context, size, NULL, 0, 0};
+}
 
 /* The address of a new, zeroed entry. */
 static void *entries_add(Entries *entries)
@@ -30,7 +33,8 @@ static void *entries_add(Entries *entries)
 
 static const void *entries_finish(const Entries *entries)
 {
-	return arena_copy(entries->context->builder->arena, entries->data, entries->size * (size_t)entries->count);
+	return arena_copy(entries->context->builder->arena, entries->data,
+			  entries->size * (size_t)entries->count);
 }
 
 /* The next [ ... ] of the map's block; NULL at its end, with anything else reported. */
@@ -198,7 +202,8 @@ int build_pigment_list(Cursor *cursor, PigmentEntry *entries, int most)
 	int count = 0;
 	const Node *block;
 	while (count < most && (block = cursor_accept_block(cursor, W_pigment))) {
-		const Pigment *pigment = build_pigment(cursor->context, block, cursor->context->defaults.pigment);
+		const Pigment *pigment = build_pigment(cursor->context, block,
+						       cursor->context->defaults.pigment);
 		entries[count] = (PigmentEntry){count, pigment};
 		count++;
 	}
@@ -210,7 +215,8 @@ int build_normal_list(Cursor *cursor, NormalEntry *entries, int most)
 	int count = 0;
 	const Node *block;
 	while (count < most && (block = cursor_accept_block(cursor, W_normal))) {
-		const Normal *normal = build_normal(cursor->context, block, cursor->context->defaults.normal);
+		const Normal *normal = build_normal(cursor->context, block,
+						    cursor->context->defaults.normal);
 		entries[count] = (NormalEntry){count, normal};
 		count++;
 	}

@@ -22,12 +22,16 @@ static const struct {
 	Word word;
 	int least, most;
 } media_rows[] = {
-	{W_method, 1, 1}, {W_intervals, 1, 1}, {W_samples, 1, 2}, {W_confidence, 1, 1}, {W_variance, 1, 1}, {W_ratio, 1, 1},
-	{W_absorption, 1, 1}, {W_emission, 1, 1}, {W_aa_threshold, 1, 1}, {W_aa_level, 1, 1}, {W_jitter, 0, 1},
-	{W_collect, 0, 1}, {W_translate, 1, 1}, {W_rotate, 1, 1}, {W_scale, 1, 1}, {W_turbulence, 1, 1}, {W_octaves, 1, 1},
-	{W_omega, 1, 1}, {W_lambda, 1, 1}, {W_phase, 1, 1}, {W_frequency, 1, 1}, {W_ramp_wave, 0, 0},
-	{W_triangle_wave, 0, 0}, {W_sine_wave, 0, 0}, {W_scallop_wave, 0, 0}, {W_cubic_wave, 0, 0}, {W_poly_wave, 0, 1},
-	{W_eccentricity, 1, 1}, {W_extinction, 1, 1}, {W_matrix, 12, 12},
+	{W_method, 1, 1},       {W_intervals, 1, 1},     {W_samples, 1, 2},
+	{W_confidence, 1, 1},   {W_variance, 1, 1},      {W_ratio, 1, 1},
+	{W_absorption, 1, 1},   {W_emission, 1, 1},      {W_aa_threshold, 1, 1},
+	{W_aa_level, 1, 1},     {W_jitter, 0, 1},        {W_collect, 0, 1},
+	{W_translate, 1, 1},    {W_rotate, 1, 1},        {W_scale, 1, 1},
+	{W_turbulence, 1, 1},   {W_octaves, 1, 1},       {W_omega, 1, 1},
+	{W_lambda, 1, 1},       {W_phase, 1, 1},         {W_frequency, 1, 1},
+	{W_ramp_wave, 0, 0},    {W_triangle_wave, 0, 0}, {W_sine_wave, 0, 0},
+	{W_scallop_wave, 0, 0}, {W_cubic_wave, 0, 0},    {W_poly_wave, 0, 1},
+	{W_eccentricity, 1, 1}, {W_extinction, 1, 1},    {W_matrix, 12, 12},
 };
 
 static bool accept_media_word(Cursor *cursor)
@@ -69,7 +73,8 @@ static void read_media(Context *context, const Node *block)
 			inner = cursor_next(&cursor);
 			if (inner->word == W_media)
 				read_media(context, inner);
-		} else if (!cursor_accept_item(&cursor, VALUE_MEDIA) && !accept_media_word(&cursor)) {
+		} else if (!cursor_accept_item(&cursor, VALUE_MEDIA) &&
+			   !accept_media_word(&cursor)) {
 			cursor_unexpected(&cursor);
 		}
 	}

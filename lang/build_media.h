@@ -1,5 +1,6 @@
 /*
- * media { } and density { }: read and checked, not rendered yet. A scene that has any is told so once.
+ * media { } and density { }: read and checked, not rendered yet. A scene that has any is told so
+ * once.
  */
 #ifndef LANG_BUILD_MEDIA_H
 #define LANG_BUILD_MEDIA_H

@@ -9,8 +9,11 @@ static const double DEFAULT_ACCURACY = 0.02;
 
 static Normal normal_initial(void)
 {
-	return (Normal){.kind = NORMAL_PATTERN, .pattern = build_pattern_none(), .amount = DEFAULT_AMOUNT,
-	                .bump_size = 1, .accuracy = DEFAULT_ACCURACY};
+	return (Normal){.kind = NORMAL_PATTERN,
+			.pattern = build_pattern_none(),
+			.amount = DEFAULT_AMOUNT,
+			.bump_size = 1,
+			.accuracy = DEFAULT_ACCURACY};
 }
 
 /* Items that the scene leaves out of a list bend nothing. */
@@ -110,9 +113,15 @@ static bool take_item(Cursor *cursor, Normal *normal)
 	case W_normal_map: take_normal_map(cursor, normal); return true;
 	case W_slope_map: take_slope_map(cursor, normal); return true;
 	case W_uv_mapping: cursor_next(cursor); take_uv_mapping(cursor, normal); return true;
-	case W_bump_size: cursor_next(cursor); cursor_take_float(cursor, &normal->amount); return true;
+	case W_bump_size:
+		cursor_next(cursor);
+		cursor_take_float(cursor, &normal->amount);
+		return true;
 	case W_accuracy: cursor_next(cursor); take_accuracy(cursor, normal); return true;
-	case W_no_bump_scale: cursor_next(cursor); normal->no_bump_scale = cursor_optional_bool(cursor); return true;
+	case W_no_bump_scale:
+		cursor_next(cursor);
+		normal->no_bump_scale = cursor_optional_bool(cursor);
+		return true;
 	case W_average:
 		cursor_next(cursor);
 		cursor_accept_float(cursor, &normal->amount);

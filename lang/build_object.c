@@ -114,15 +114,17 @@ void build_object_adopt(Cursor *cursor, Object *object, const ObjectList *list)
 	object->depth = depth + 1;
 	if (object->depth <= OBJECT_DEPTH_MAX)
 		return;
-	diag_error(cursor->context->diag, cursor->block->where, "objects nested more than %d deep", OBJECT_DEPTH_MAX);
+	diag_error(cursor->context->diag, cursor->block->where, "objects nested more than %d deep",
+		   OBJECT_DEPTH_MAX);
 	object->child_count = object->depth = 0;
 }
 
-bool build_shape_set(Cursor *cursor, Object *object, const ShapeClass *class, const void *data, const char *error)
+bool build_shape_set(Cursor *cursor, Object *object, const ShapeClass *class, const void *data,
+		     const char *error)
 {
 	if (!data) {
-		diag_error(cursor->context->diag, cursor->block->where, "%s: %s", word_text(cursor->block->word),
-		           error ? error : "cannot be made");
+		diag_error(cursor->context->diag, cursor->block->where, "%s: %s",
+			   word_text(cursor->block->word), error ? error : "cannot be made");
 		return false;
 	}
 	object->class = class;

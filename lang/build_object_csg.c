@@ -12,9 +12,15 @@ static bool build_csg(Cursor *cursor, Object *object, ObjectKind kind)
 
 bool build_union(Cursor *cursor, Object *object) { return build_csg(cursor, object, OBJECT_UNION); }
 
-bool build_intersection(Cursor *cursor, Object *object) { return build_csg(cursor, object, OBJECT_INTERSECTION); }
+bool build_intersection(Cursor *cursor, Object *object)
+{
+	return build_csg(cursor, object, OBJECT_INTERSECTION);
+}
 
-bool build_difference(Cursor *cursor, Object *object) { return build_csg(cursor, object, OBJECT_DIFFERENCE); }
+bool build_difference(Cursor *cursor, Object *object)
+{
+	return build_csg(cursor, object, OBJECT_DIFFERENCE);
+}
 
 bool build_merge(Cursor *cursor, Object *object) { return build_csg(cursor, object, OBJECT_MERGE); }
 

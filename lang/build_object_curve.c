@@ -16,7 +16,8 @@ static const Vec2 *take_points(Cursor *cursor, int *count)
 	for (const Node *node = cursor->at; node && node->kind == NODE_VALUE; node = node->next)
 		capacity++;
 	if (*count < 1 || *count > capacity) {
-		cursor_expected(cursor, *count < 1 ? "at least one point" : "as many points as announced");
+		cursor_expected(cursor,
+				*count < 1 ? "at least one point" : "as many points as announced");
 		return NULL;
 	}
 	Vec2 *points = ARENA_ARRAY(scene_arena(cursor), Vec2, *count);
@@ -57,7 +58,8 @@ bool build_prism(Cursor *cursor, Object *object)
 	    !(desc.points = take_points(cursor, &desc.point_count)))
 		return false;
 	desc.open = cursor_accept_word(cursor, W_open);
-	return build_shape_set(cursor, object, &prism_class, prism_create(scene_arena(cursor), &desc, &error), error);
+	return build_shape_set(cursor, object, &prism_class,
+			       prism_create(scene_arena(cursor), &desc, &error), error);
 }
 
 bool build_lathe(Cursor *cursor, Object *object)
@@ -66,7 +68,8 @@ bool build_lathe(Cursor *cursor, Object *object)
 	const char *error = NULL;
 	if (!(desc.points = take_points(cursor, &desc.point_count)))
 		return false;
-	return build_shape_set(cursor, object, &lathe_class, lathe_create(scene_arena(cursor), &desc, &error), error);
+	return build_shape_set(cursor, object, &lathe_class,
+			       lathe_create(scene_arena(cursor), &desc, &error), error);
 }
 
 bool build_sor(Cursor *cursor, Object *object)
@@ -76,7 +79,8 @@ bool build_sor(Cursor *cursor, Object *object)
 	if (!(desc.points = take_points(cursor, &desc.point_count)))
 		return false;
 	desc.open = cursor_accept_word(cursor, W_open);
-	return build_shape_set(cursor, object, &sor_class, sor_create(scene_arena(cursor), &desc, &error), error);
+	return build_shape_set(cursor, object, &sor_class,
+			       sor_create(scene_arena(cursor), &desc, &error), error);
 }
 
 static bool take_spheres(Cursor *cursor, SphereSweepDesc *desc)
@@ -116,7 +120,8 @@ bool build_sphere_sweep(Cursor *cursor, Object *object)
 	return build_shape_set(cursor, object, &sphere_sweep_class, data, error);
 }
 
-/* text { internal n ... }: POV-Ray keeps these fonts in its program; they stand beside its includes as files as well. */
+/* text { internal n ... }: POV-Ray keeps these fonts in its program; they stand beside its includes
+ * as files as well. */
 static bool take_internal_font(Cursor *cursor, const char **font)
 {
 	static const char *const fonts[] = {"povlogo", "timrom", "cyrvetic", "crystal"};
@@ -152,12 +157,13 @@ bool build_text(Cursor *cursor, Object *object)
 	Location where = cursor_where(cursor);
 	if (!(internal ? take_internal_font(cursor, &font) : cursor_take_string(cursor, &font)))
 		return false;
-	if (!cursor_take_string(cursor, &desc.text) || !cursor_take_float(cursor, &desc.thickness) ||
-	    !cursor_take_vec3(cursor, &offset))
+	if (!cursor_take_string(cursor, &desc.text) ||
+	    !cursor_take_float(cursor, &desc.thickness) || !cursor_take_vec3(cursor, &offset))
 		return false;
 	desc.font_path = find_font(cursor->context, font, where);
 	if (!desc.font_path)
 		return false;
 	desc.offset = (Vec2){offset.x, offset.y};
-	return build_shape_set(cursor, object, &text_class, text_create(scene_arena(cursor), &desc, &error), error);
+	return build_shape_set(cursor, object, &text_class,
+			       text_create(scene_arena(cursor), &desc, &error), error);
 }

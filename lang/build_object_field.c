@@ -24,7 +24,8 @@ static bool accept_word_strength(Cursor *cursor, double *strength)
 	return cursor_take_float(cursor, strength);
 }
 
-/* Textures and transformations of one component: an object of its own for as long as they are read. */
+/* Textures and transformations of one component: an object of its own for as long as they are read.
+ */
 static void read_component_modifiers(Cursor *cursor, BlobReading *reading, BlobComponent *component)
 {
 	Context *context = cursor->context;
@@ -34,7 +35,8 @@ static void read_component_modifiers(Cursor *cursor, BlobReading *reading, BlobC
 			cursor_unexpected(cursor);
 	component->texture = -1;
 	if (!transform_is_identity(&part.transform))
-		component->transform = arena_copy(context->builder->arena, &part.transform, sizeof part.transform);
+		component->transform = arena_copy(context->builder->arena, &part.transform,
+						  sizeof part.transform);
 	if (!part.texture)
 		return;
 	component->texture = reading->texture_count;
@@ -50,7 +52,8 @@ static bool read_component(Cursor *cursor, BlobReading *reading, const Node *blo
 	*component = (BlobComponent){.cylinder = block->word == W_cylinder, .texture = -1};
 	if (!cursor_take_vec3(&inside, &component->center) ||
 	    (component->cylinder && !cursor_take_vec3(&inside, &component->end)) ||
-	    !cursor_take_float(&inside, &component->radius) || !accept_word_strength(&inside, &component->strength))
+	    !cursor_take_float(&inside, &component->radius) ||
+	    !accept_word_strength(&inside, &component->strength))
 		return false;
 	read_component_modifiers(&inside, reading, component);
 	reading->count++;
@@ -62,7 +65,8 @@ static bool read_old_component(Cursor *cursor, BlobReading *reading)
 {
 	BlobComponent *component = &reading->components[reading->count];
 	*component = (BlobComponent){.texture = -1};
-	if (!cursor_take_float(cursor, &component->strength) || !cursor_take_float(cursor, &component->radius) ||
+	if (!cursor_take_float(cursor, &component->strength) ||
+	    !cursor_take_float(cursor, &component->radius) ||
 	    !cursor_take_vec3(cursor, &component->center))
 		return false;
 	reading->count++;
@@ -104,7 +108,8 @@ bool build_blob(Cursor *cursor, Object *object)
 	desc.count = reading.count;
 	object->textures = reading.textures;
 	object->texture_count = reading.texture_count;
-	return build_shape_set(cursor, object, &blob_class, blob_create(scene_arena(cursor), &desc, &error), error);
+	return build_shape_set(cursor, object, &blob_class,
+			       blob_create(scene_arena(cursor), &desc, &error), error);
 }
 
 /* function { ... }: of at most three arguments. */
@@ -116,10 +121,12 @@ static const Function *take_function(Cursor *cursor)
 		return NULL;
 	}
 	Cursor inside = cursor_begin(cursor->context, block);
-	const Function *function = cursor_take_item(&inside, VALUE_FUNCTION, "a function of a float");
+	const Function *function = cursor_take_item(&inside, VALUE_FUNCTION,
+						    "a function of a float");
 	if (!function || function_arity(function) <= 3)
 		return function;
-	diag_error(cursor->context->diag, block->where, "this function has more than three parameters");
+	diag_error(cursor->context->diag, block->where,
+		   "this function has more than three parameters");
 	return NULL;
 }
 
@@ -136,7 +143,8 @@ static bool read_container(Cursor *cursor, Container *container)
 		return cursor_expected(&outer, "a sphere or a box");
 	Cursor inside = cursor_begin(cursor->context, shape);
 	if (container->sphere) {
-		if (!cursor_take_vec3(&inside, &container->center) || !cursor_take_float(&inside, &container->radius))
+		if (!cursor_take_vec3(&inside, &container->center) ||
+		    !cursor_take_float(&inside, &container->radius))
 			return false;
 	} else {
 		Vec3 a, b;
@@ -201,8 +209,9 @@ static Vec3 parametric_point(const void *data, double u, double v)
 {
 	const ParametricFunctions *functions = data;
 	double args[3] = {u, v, 0};
-	return vec3(function_eval(functions->axis[0], args), function_eval(functions->axis[1], args),
-	            function_eval(functions->axis[2], args));
+	return vec3(function_eval(functions->axis[0], args),
+		    function_eval(functions->axis[1], args),
+		    function_eval(functions->axis[2], args));
 }
 
 /* precompute depth, and which of x, y, z: those arrive as unit vectors. */
@@ -255,11 +264,15 @@ static const struct {
 	Word word;
 	JuliaFunction function;
 } julia_rows[] = {
-	{W_sqr, JULIA_SQR}, {W_cube, JULIA_CUBE}, {W_exp, JULIA_EXP}, {W_reciprocal, JULIA_RECIPROCAL},
-	{W_sin, JULIA_SIN}, {W_asin, JULIA_ASIN}, {W_sinh, JULIA_SINH}, {W_asinh, JULIA_ASINH},
-	{W_cos, JULIA_COS}, {W_acos, JULIA_ACOS}, {W_cosh, JULIA_COSH}, {W_acosh, JULIA_ACOSH},
-	{W_tan, JULIA_TAN}, {W_atan, JULIA_ATAN}, {W_tanh, JULIA_TANH}, {W_atanh, JULIA_ATANH},
-	{W_ln, JULIA_LN}, {W_pwr, JULIA_PWR},
+	{W_sqr, JULIA_SQR},   {W_cube, JULIA_CUBE},
+	{W_exp, JULIA_EXP},   {W_reciprocal, JULIA_RECIPROCAL},
+	{W_sin, JULIA_SIN},   {W_asin, JULIA_ASIN},
+	{W_sinh, JULIA_SINH}, {W_asinh, JULIA_ASINH},
+	{W_cos, JULIA_COS},   {W_acos, JULIA_ACOS},
+	{W_cosh, JULIA_COSH}, {W_acosh, JULIA_ACOSH},
+	{W_tan, JULIA_TAN},   {W_atan, JULIA_ATAN},
+	{W_tanh, JULIA_TANH}, {W_atanh, JULIA_ATANH},
+	{W_ln, JULIA_LN},     {W_pwr, JULIA_PWR},
 };
 
 static bool accept_julia_function(Cursor *cursor, JuliaDesc *desc)
@@ -295,10 +308,12 @@ static bool read_julia_item(Cursor *cursor, JuliaDesc *desc, bool *good)
 	else if (cursor_accept_word(cursor, W_precision))
 		*good &= cursor_take_float(cursor, &desc->precision);
 	else if (cursor_accept_word(cursor, W_slice))
-		*good &= take_vec4(cursor, desc->slice_normal) && cursor_take_float(cursor, &desc->slice_distance);
+		*good &= take_vec4(cursor, desc->slice_normal) &&
+			 cursor_take_float(cursor, &desc->slice_distance);
 	else if (accept_julia_function(cursor, desc)) {
 		if (desc->function == JULIA_PWR) {
-			*good &= cursor_take_float(cursor, &desc->exponent.u) && cursor_take_float(cursor, &number);
+			*good &= cursor_take_float(cursor, &desc->exponent.u) &&
+				 cursor_take_float(cursor, &number);
 			if (*good)
 				desc->exponent.v = number;
 		}

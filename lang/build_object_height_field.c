@@ -9,17 +9,20 @@
 
 enum { RESOLUTION_MAX = 16384 };
 
-/* The words before a file name say its type; the file's content says it better, but for Fractint's pot: true for that. */
+/* The words before a file name say its type; the file's content says it better, but for Fractint's
+ * pot: true for that. */
 static bool accept_type(Cursor *cursor)
 {
-	static const Word types[] = {W_exr, W_gif, W_hdr, W_iff, W_jpeg, W_pgm, W_png, W_pot, W_ppm, W_sys, W_tga, W_tiff, W_bmp};
+	static const Word types[] = {W_exr, W_gif, W_hdr, W_iff, W_jpeg, W_pgm, W_png,
+				     W_pot, W_ppm, W_sys, W_tga, W_tiff, W_bmp};
 	for (size_t i = 0; i < sizeof types / sizeof *types; i++)
 		if (cursor_accept_word(cursor, types[i]))
 			return types[i] == W_pot;
 	return false;
 }
 
-/* A palette image holds heights as indices, a grey one as its values; a colour one in its red (high) and green (low) bytes. */
+/* A palette image holds heights as indices, a grey one as its values; a colour one in its red
+ * (high) and green (low) bytes. */
 static float pixel_height(const Image *image, size_t pixel)
 {
 	if (image->indices)
@@ -103,31 +106,38 @@ static const Function *take_height_function(Cursor *cursor)
 	const Function *function = cursor_accept_item(cursor, VALUE_FUNCTION);
 	if (function)
 		return function;
-	const VectorFunction *vector = cursor_take_item(cursor, VALUE_VECTOR_FUNCTION, "a function");
+	const VectorFunction *vector = cursor_take_item(cursor, VALUE_VECTOR_FUNCTION,
+							"a function");
 	return vector ? function_of_gray(cursor->context->builder->arena, vector) : NULL;
 }
 
-/* function columns, rows { ... }: the function, then the numbers. Sampled over the unit square, whose y falls as z
- * rises: the function is an image there. */
+/* function columns, rows { ... }: the function, then the numbers. Sampled over the unit square,
+ * whose y falls as z rises: the function is an image there. */
 static bool read_function(Cursor *outer, const Node *block, HeightFieldDesc *desc)
 {
 	Cursor inside = cursor_begin(outer->context, block), *cursor = &inside;
 	Location where = block->where;
 	const Function *function = take_height_function(cursor);
-	if (!function || !cursor_take_int(cursor, &desc->width) || !cursor_take_int(cursor, &desc->depth))
+	if (!function || !cursor_take_int(cursor, &desc->width) ||
+	    !cursor_take_int(cursor, &desc->depth))
 		return false;
-	bool sound = desc->width >= 2 && desc->depth >= 2 && desc->width <= RESOLUTION_MAX && desc->depth <= RESOLUTION_MAX;
+	bool sound = desc->width >= 2 && desc->depth >= 2 && desc->width <= RESOLUTION_MAX &&
+		     desc->depth <= RESOLUTION_MAX;
 	if (!sound || function_arity(function) > 3) {
-		diag_error(cursor->context->diag, where, sound ? "this function has more than three parameters"
-		                                               : "a resolution from 2 to 16384 was expected");
+		diag_error(cursor->context->diag, where,
+			   sound ? "this function has more than three parameters"
+				 : "a resolution from 2 to 16384 was expected");
 		return false;
 	}
-	float *heights = ARENA_ARRAY(cursor->context->builder->arena, float, (size_t)desc->width * (size_t)desc->depth);
+	float *heights = ARENA_ARRAY(cursor->context->builder->arena, float,
+				     (size_t)desc->width *(size_t)desc->depth);
 	for (int z = 0; z < desc->depth; z++)
 		for (int x = 0; x < desc->width; x++) {
-			double args[3] = {(double)x / (desc->width - 1), 1 - (double)z / (desc->depth - 1), 0};
+			double args[3] = {(double)x / (desc->width - 1),
+					  1 - (double)z / (desc->depth - 1), 0};
 			double height = function_eval(function, args);
-			heights[(size_t)z * (size_t)desc->width + (size_t)x] = (float)fmin(fmax(height, 0), 1);
+			heights[(size_t)z * (size_t)desc->width + (size_t)x] = (float)fmin(
+				fmax(height, 0), 1);
 		}
 	desc->heights = heights;
 	return true;
@@ -139,7 +149,8 @@ bool build_height_field(Cursor *cursor, Object *object)
 	const char *error = NULL;
 	bool pot = accept_type(cursor);
 	const Node *function = cursor_accept_block(cursor, W_function);
-	bool good = function ? read_function(cursor, function, &desc) : read_file(cursor, pot, &desc);
+	bool good = function ? read_function(cursor, function, &desc)
+			     : read_file(cursor, pot, &desc);
 	for (;;) {
 		if (cursor_accept_word(cursor, W_smooth))
 			desc.smooth = cursor_optional_bool(cursor);

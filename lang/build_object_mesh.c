@@ -1,4 +1,5 @@
-/* Triangles and what is made of them: triangle, smooth_triangle, mesh, mesh2, bicubic_patch, polygon. */
+/* Triangles and what is made of them: triangle, smooth_triangle, mesh, mesh2, bicubic_patch,
+ * polygon. */
 #include "lang/build_object.h"
 
 #include "geom/mesh.h"
@@ -27,12 +28,19 @@ static bool build_one_triangle(Cursor *cursor, Object *object, bool smooth)
 	Triangle *triangle = ARENA_NEW(scene_arena(cursor), Triangle);
 	if (!read_triangle(cursor, triangle, smooth))
 		return false;
-	return build_shape_set(cursor, object, smooth ? &smooth_triangle_class : &triangle_class, triangle, NULL);
+	return build_shape_set(cursor, object, smooth ? &smooth_triangle_class : &triangle_class,
+			       triangle, NULL);
 }
 
-bool build_triangle(Cursor *cursor, Object *object) { return build_one_triangle(cursor, object, false); }
+bool build_triangle(Cursor *cursor, Object *object)
+{
+	return build_one_triangle(cursor, object, false);
+}
 
-bool build_smooth_triangle(Cursor *cursor, Object *object) { return build_one_triangle(cursor, object, true); }
+bool build_smooth_triangle(Cursor *cursor, Object *object)
+{
+	return build_one_triangle(cursor, object, true);
+}
 
 /* ---- mesh ---- */
 
@@ -67,7 +75,8 @@ static void read_triangle_textures(Cursor *cursor, MeshReading *reading, int num
 		Cursor inside = cursor_begin(cursor->context, block);
 		for (int i = 0; i < 3; i++) {
 			const Texture *texture = cursor_accept_item(&inside, VALUE_TEXTURE);
-			const Node *inner = texture ? NULL : cursor_accept_block(&inside, W_texture);
+			const Node *inner = texture ? NULL
+						    : cursor_accept_block(&inside, W_texture);
 			if (inner)
 				texture = build_texture(cursor->context, inner);
 			if (texture)
@@ -119,7 +128,8 @@ static MeshReading begin_mesh(Cursor *cursor)
 	Arena *arena = scene_arena(cursor);
 	int count = 0;
 	for (const Node *node = cursor->at; node; node = node->next)
-		count += node->kind == NODE_BLOCK && (node->word == W_triangle || node->word == W_smooth_triangle);
+		count += node->kind == NODE_BLOCK &&
+			 (node->word == W_triangle || node->word == W_smooth_triangle);
 	MeshReading reading = {0};
 	reading.vertices = arena_alloc(arena, sizeof(float[3]) * 3 * (size_t)count);
 	reading.normals = arena_alloc(arena, sizeof(float[3]) * 3 * (size_t)count);
@@ -139,7 +149,8 @@ static bool read_mesh_words(Cursor *cursor, MeshDesc *desc)
 			cursor_optional_bool(cursor);
 		else if (!cursor_accept_word(cursor, W_inside_vector))
 			return true;
-		else if (!(desc->has_inside_vector = cursor_take_vec3(cursor, &desc->inside_vector)))
+		else if (!(desc->has_inside_vector = cursor_take_vec3(cursor,
+								      &desc->inside_vector)))
 			return false;
 	}
 }
@@ -149,7 +160,8 @@ static bool finish_mesh(Cursor *cursor, Object *object, MeshDesc *desc)
 	const char *error = NULL;
 	if (!read_mesh_words(cursor, desc))
 		return false;
-	return build_shape_set(cursor, object, &mesh_class, mesh_create(scene_arena(cursor), desc, &error), error);
+	return build_shape_set(cursor, object, &mesh_class,
+			       mesh_create(scene_arena(cursor), desc, &error), error);
 }
 
 bool build_mesh(Cursor *cursor, Object *object)
@@ -192,8 +204,9 @@ static bool take_count(Cursor *cursor, int *count)
 		following++;
 	if (*count >= 0 && *count <= following)
 		return true;
-	diag_error(cursor->context->diag, cursor->block->where, "'%s' announces %d but only %d follow",
-	           word_text(cursor->block->word), *count, following);
+	diag_error(cursor->context->diag, cursor->block->where,
+		   "'%s' announces %d but only %d follow", word_text(cursor->block->word), *count,
+		   following);
 	cursor->at = NULL;
 	return false;
 }
@@ -282,7 +295,8 @@ static const int (*read_index_rows(Cursor *cursor, const Node *block, int faces)
 	int count;
 	if (!take_count(&inside, &count))
 		return NULL;
-	int(*rows)[3] = arena_alloc(scene_arena(cursor), sizeof *rows * (size_t)(faces > count ? faces : count));
+	int (*rows)[3] = arena_alloc(scene_arena(cursor),
+				     sizeof *rows * (size_t)(faces > count ? faces : count));
 	for (int i = 0; i < count; i++)
 		if (!take_indices(&inside, rows[i]))
 			return NULL;
@@ -316,19 +330,24 @@ static bool read_section(Cursor *cursor, MeshDesc *desc, Object *object, bool *g
 {
 	const Node *block;
 	if ((block = cursor_accept_block(cursor, W_vertex_vectors)))
-		*good &= !!(desc->vertices = (const float (*)[3])read_vectors(cursor, block, &desc->vertex_count));
+		*good &= !!(desc->vertices = (const float (*)[3])read_vectors(cursor, block,
+									      &desc->vertex_count));
 	else if ((block = cursor_accept_block(cursor, W_normal_vectors)))
-		*good &= !!(desc->normals = (const float (*)[3])read_vectors(cursor, block, &desc->normal_count));
+		*good &= !!(desc->normals = (const float (*)[3])read_vectors(cursor, block,
+									     &desc->normal_count));
 	else if ((block = cursor_accept_block(cursor, W_uv_vectors)))
-		*good &= !!(desc->uvs = (const float (*)[2])read_uvs(cursor, block, &desc->uv_count));
+		*good &= !!(
+			desc->uvs = (const float (*)[2])read_uvs(cursor, block, &desc->uv_count));
 	else if ((block = cursor_accept_block(cursor, W_texture_list)))
 		*good &= read_texture_list(cursor, block, object);
 	else if ((block = cursor_accept_block(cursor, W_face_indices)))
 		*good &= read_faces(cursor, block, desc);
 	else if ((block = cursor_accept_block(cursor, W_normal_indices)))
-		*good &= !!(desc->normal_indices = read_index_rows(cursor, block, desc->triangle_count));
+		*good &= !!(desc->normal_indices = read_index_rows(cursor, block,
+								   desc->triangle_count));
 	else if ((block = cursor_accept_block(cursor, W_uv_indices)))
-		*good &= !!(desc->uv_indices = read_index_rows(cursor, block, desc->triangle_count));
+		*good &= !!(
+			desc->uv_indices = read_index_rows(cursor, block, desc->triangle_count));
 	else
 		return false;
 	return true;
@@ -341,8 +360,8 @@ static bool check_textures(Cursor *cursor, const MeshDesc *desc, int count)
 		for (int k = 0; k < 3; k++)
 			if (desc->textures[i][k] < -1 || desc->textures[i][k] >= count) {
 				diag_error(cursor->context->diag, cursor->block->where,
-				           "mesh2: face %d names texture %d, the list has %d", i, desc->textures[i][k],
-				           count);
+					   "mesh2: face %d names texture %d, the list has %d", i,
+					   desc->textures[i][k], count);
 				return false;
 			}
 	return true;
@@ -359,8 +378,9 @@ bool build_mesh2(Cursor *cursor, Object *object)
 	if (!desc.triangles || !desc.vertices)
 		return cursor_expected(cursor, "'vertex_vectors {' and 'face_indices {'");
 	if (desc.normals && !desc.normal_indices && desc.normal_count != desc.vertex_count) {
-		diag_error(cursor->context->diag, cursor->block->where,
-		           "mesh2: normal_indices are needed where normals and vertices differ in number");
+		diag_error(
+			cursor->context->diag, cursor->block->where,
+			"mesh2: normal_indices are needed where normals and vertices differ in number");
 		return false;
 	}
 	return finish_mesh(cursor, object, &desc);
@@ -400,7 +420,8 @@ bool build_bicubic_patch(Cursor *cursor, Object *object)
 		good = good && cursor_take_vec3(cursor, &desc.control[i]);
 	if (!good)
 		return false;
-	return build_shape_set(cursor, object, &mesh_class, bicubic_patch_create(scene_arena(cursor), &desc), NULL);
+	return build_shape_set(cursor, object, &mesh_class,
+			       bicubic_patch_create(scene_arena(cursor), &desc), NULL);
 }
 
 bool build_polygon(Cursor *cursor, Object *object)

@@ -36,14 +36,16 @@ static bool accept_flag(Cursor *cursor, Object *object)
 	return false;
 }
 
-/* Brings the texture so far into the space that the object stands in now, so that another can be put beside it. */
+/* Brings the texture so far into the space that the object stands in now, so that another can be
+ * put beside it. */
 static void settle_texture(Context *context, Object *object)
 {
 	if (object->texture && !transform_is_identity(&object->texture_transform)) {
-		object->texture = build_texture_transform(context, object->texture, &object->texture_transform);
+		object->texture = build_texture_transform(context, object->texture,
+							  &object->texture_transform);
 		if (object->interior_texture)
-			object->interior_texture =
-				build_texture_transform(context, object->interior_texture, &object->texture_transform);
+			object->interior_texture = build_texture_transform(
+				context, object->interior_texture, &object->texture_transform);
 	}
 	object->texture_transform = transform_identity();
 }
@@ -75,7 +77,8 @@ static void change_texture(Context *context, Object *object, const Node *block)
 {
 	Texture *top = own_top_layer(context, object);
 	if (top->kind != TEXTURE_PLAIN) {
-		diag_error(context->diag, block->where, "'%s' cannot change a patterned texture", word_text(block->word));
+		diag_error(context->diag, block->where, "'%s' cannot change a patterned texture",
+			   word_text(block->word));
 		return;
 	}
 	if (block->word == W_pigment)
@@ -143,7 +146,8 @@ static const Object *const *read_clips(Cursor *cursor, const Object *const *old,
 	if (!list.count && cursor_at_end(cursor))
 		cursor_expected(cursor, "an object");
 	cursor_end(cursor);
-	const Object **all = ARENA_ARRAY(cursor->context->builder->arena, const Object *, *count + list.count);
+	const Object **all = ARENA_ARRAY(cursor->context->builder->arena, const Object *,
+					 *count + list.count);
 	for (int i = 0; i < *count; i++)
 		all[i] = old[i];
 	for (int i = 0; i < list.count; i++)
@@ -152,7 +156,8 @@ static const Object *const *read_clips(Cursor *cursor, const Object *const *old,
 	return all;
 }
 
-/* clipped_by { ... } and bounded_by { ... }; each may borrow the other's objects by its word alone. */
+/* clipped_by { ... } and bounded_by { ... }; each may borrow the other's objects by its word alone.
+ */
 static bool accept_clip(Cursor *cursor, Object *object)
 {
 	const Node *block = cursor_accept_block(cursor, W_clipped_by);
@@ -212,6 +217,6 @@ bool build_object_modifier(Cursor *cursor, Object *object)
 		build_photons_object(cursor->context, photons, object);
 		return true;
 	}
-	return accept_surface(cursor, object) || accept_flag(cursor, object) || accept_clip(cursor, object) ||
-	       accept_hint(cursor);
+	return accept_surface(cursor, object) || accept_flag(cursor, object) ||
+	       accept_clip(cursor, object) || accept_hint(cursor);
 }

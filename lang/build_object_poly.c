@@ -14,7 +14,8 @@ bool build_quadric(Cursor *cursor, Object *object)
 		return false;
 	const double coefficients[10] = {square.x, square.y, square.z, mixed.x, mixed.y,
 	                                 mixed.z, linear.x, linear.y, linear.z, constant};
-	return build_shape_set(cursor, object, &quadric_class, quadric_create(scene_arena(cursor), coefficients), NULL);
+	return build_shape_set(cursor, object, &quadric_class,
+			       quadric_create(scene_arena(cursor), coefficients), NULL);
 }
 
 static bool finish_poly(Cursor *cursor, Object *object, int order, const double *coefficients)
@@ -28,7 +29,8 @@ static bool read_poly(Cursor *cursor, Object *object, int order)
 {
 	int count = poly_term_count(order);
 	double *coefficients = ARENA_ARRAY(cursor->context->items, double, count);
-	return cursor_take_floats(cursor, coefficients, count) && finish_poly(cursor, object, order, coefficients);
+	return cursor_take_floats(cursor, coefficients, count) &&
+	       finish_poly(cursor, object, order, coefficients);
 }
 
 bool build_cubic(Cursor *cursor, Object *object) { return read_poly(cursor, object, 3); }
@@ -41,8 +43,9 @@ static bool take_order(Cursor *cursor, int *order)
 		return false;
 	if (*order >= POLY_MIN_ORDER && *order <= POLY_MAX_ORDER)
 		return true;
-	diag_error(cursor->context->diag, cursor->block->where, "the order of a polynomial must be from %d to %d",
-	           POLY_MIN_ORDER, POLY_MAX_ORDER);
+	diag_error(cursor->context->diag, cursor->block->where,
+		   "the order of a polynomial must be from %d to %d", POLY_MIN_ORDER,
+		   POLY_MAX_ORDER);
 	while (cursor_peek_numeric(cursor))
 		cursor_next(cursor);
 	return false;
@@ -68,10 +71,13 @@ bool build_polynomial(Cursor *cursor, Object *object)
 		if (!cursor_take_floats(&inside, term, 4))
 			return false;
 		cursor_end(&inside);
-		bool small = term[0] >= 0 && term[1] >= 0 && term[2] >= 0 && term[0] + term[1] + term[2] <= order;
-		int index = small ? poly_term_index(order, (int)term[0], (int)term[1], (int)term[2]) : -1;
+		bool small = term[0] >= 0 && term[1] >= 0 && term[2] >= 0 &&
+			     term[0] + term[1] + term[2] <= order;
+		int index = small ? poly_term_index(order, (int)term[0], (int)term[1], (int)term[2])
+				  : -1;
 		if (index < 0)
-			diag_error(cursor->context->diag, entry->where, "this term exceeds the order %d", order);
+			diag_error(cursor->context->diag, entry->where,
+				   "this term exceeds the order %d", order);
 		else
 			coefficients[index] = term[3];
 	}

@@ -52,8 +52,9 @@ bool build_cylinder(Cursor *cursor, Object *object)
 bool build_cone(Cursor *cursor, Object *object)
 {
 	ConeDesc desc = {0};
-	if (!cursor_take_vec3(cursor, &desc.base) || !cursor_take_float(cursor, &desc.base_radius) ||
-	    !cursor_take_vec3(cursor, &desc.cap) || !cursor_take_float(cursor, &desc.cap_radius))
+	if (!cursor_take_vec3(cursor, &desc.base) ||
+	    !cursor_take_float(cursor, &desc.base_radius) || !cursor_take_vec3(cursor, &desc.cap) ||
+	    !cursor_take_float(cursor, &desc.cap_radius))
 		return false;
 	return finish_cone(cursor, object, &desc, &cone_class);
 }

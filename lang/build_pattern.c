@@ -31,7 +31,8 @@ static int scene_noise(const Context *context)
 
 void *build_pattern_data(Context *context, Pattern *pattern, const void *defaults, size_t size)
 {
-	void *data = arena_copy(context->builder->arena, pattern->data ? pattern->data : defaults, size);
+	void *data = arena_copy(context->builder->arena, pattern->data ? pattern->data : defaults,
+				size);
 	pattern->data = data;
 	return data;
 }
@@ -71,7 +72,8 @@ static void take_tiling(Cursor *cursor, Pattern *pattern)
 	if (!cursor_take_int(cursor, &data->kind))
 		return;
 	if (data->kind < 1 || data->kind > 27) {
-		diag_error(cursor->context->diag, cursor->last->where, "tiling takes a number from 1 to 27");
+		diag_error(cursor->context->diag, cursor->last->where,
+			   "tiling takes a number from 1 to 27");
 		data->kind = 1;
 	}
 }
@@ -79,19 +81,27 @@ static void take_tiling(Cursor *cursor, Pattern *pattern)
 static FractalData *new_fractal(Cursor *cursor, Pattern *pattern)
 {
 	FractalData *data = new_data(cursor, pattern, sizeof *data);
-	*data = (FractalData){.iterations = 1, .exponent = 2, .exterior = 1, .exterior_factor = 1, .interior_factor = 1};
+	*data = (FractalData){.iterations = 1,
+			      .exponent = 2,
+			      .exterior = 1,
+			      .exterior_factor = 1,
+			      .interior_factor = 1};
 	return data;
 }
 
 static void take_iterations(Cursor *cursor, FractalData *data)
 {
 	if (cursor_take_int(cursor, &data->iterations) && data->iterations < 1) {
-		diag_error(cursor->context->diag, cursor->last->where, "at least one iteration is needed");
+		diag_error(cursor->context->diag, cursor->last->where,
+			   "at least one iteration is needed");
 		data->iterations = 1;
 	}
 }
 
-static void take_mandel(Cursor *cursor, Pattern *pattern) { take_iterations(cursor, new_fractal(cursor, pattern)); }
+static void take_mandel(Cursor *cursor, Pattern *pattern)
+{
+	take_iterations(cursor, new_fractal(cursor, pattern));
+}
 
 static void take_julia(Cursor *cursor, Pattern *pattern)
 {
@@ -146,7 +156,8 @@ static void take_function_pattern(Cursor *cursor, Pattern *pattern)
 	if (!data->function)
 		pattern->class = NULL;
 	else if (function_arity(data->function) != 3) {
-		diag_error(cursor->context->diag, cursor_where(cursor), "a function for a pattern takes x, y and z");
+		diag_error(cursor->context->diag, cursor_where(cursor),
+			   "a function for a pattern takes x, y and z");
 		pattern->class = NULL;
 	}
 }
@@ -154,7 +165,8 @@ static void take_function_pattern(Cursor *cursor, Pattern *pattern)
 static void take_pigment_pattern(Cursor *cursor, Pattern *pattern)
 {
 	PigmentData *data = new_data(cursor, pattern, sizeof *data);
-	data->pigment = build_pigment(cursor->context, cursor_next(cursor), cursor->context->defaults.pigment);
+	data->pigment = build_pigment(cursor->context, cursor_next(cursor),
+				      cursor->context->defaults.pigment);
 }
 
 static void take_image_pattern(Cursor *cursor, Pattern *pattern)
@@ -187,11 +199,13 @@ static const Object *inner_object(Cursor *cursor, const Node *block)
 	if (value.kind == VALUE_OBJECT)
 		return value.item;
 	if (value.kind != VALUE_NONE)
-		diag_error(cursor->context->diag, first->where, "expected an object, found %s", value_describe(value));
+		diag_error(cursor->context->diag, first->where, "expected an object, found %s",
+			   value_describe(value));
 	return NULL;
 }
 
-/* object { Name A, B }: the object, then what outside and inside look like, which the caller takes. */
+/* object { Name A, B }: the object, then what outside and inside look like, which the caller takes.
+ */
 static void take_object_pattern(Cursor *cursor, Pattern *pattern)
 {
 	Context *context = cursor->context;
@@ -226,7 +240,8 @@ static void take_slope_range(Cursor *cursor, double *lo, double *hi)
 		cursor_take_float(cursor, hi);
 }
 
-/* slope { <direction> lo hi altitude <direction> lo hi }, slope { point_at <point> lo hi }, slope <direction> */
+/* slope { <direction> lo hi altitude <direction> lo hi }, slope { point_at <point> lo hi }, slope
+ * <direction> */
 static void take_slope(Cursor *cursor, Pattern *pattern)
 {
 	SlopeData *data = new_data(cursor, pattern, sizeof *data);
@@ -237,7 +252,8 @@ static void take_slope(Cursor *cursor, Pattern *pattern)
 	data->point_at = cursor_accept_word(&inside, W_point_at);
 	if (cursor_take_vec3(&inside, &data->direction))
 		take_slope_range(&inside, &data->lo_slope, &data->hi_slope);
-	if (!data->point_at && cursor_accept_word(&inside, W_altitude) && cursor_take_vec3(&inside, &data->altitude))
+	if (!data->point_at && cursor_accept_word(&inside, W_altitude) &&
+	    cursor_take_vec3(&inside, &data->altitude))
 		take_slope_range(&inside, &data->lo_alt, &data->hi_alt);
 	if (braces)
 		cursor_end(&inside);
@@ -269,7 +285,8 @@ static void take_waves(Cursor *cursor, Pattern *pattern)
 {
 	const SceneBuilder *builder = cursor->context->builder;
 	if (builder->settings.number_of_waves > 0)
-		pattern->data = wave_sources_create(builder->arena, builder->settings.number_of_waves);
+		pattern->data = wave_sources_create(builder->arena,
+						    builder->settings.number_of_waves);
 }
 
 /* Takes the parameters behind the word, which is taken already unless own_word. */
@@ -278,7 +295,7 @@ typedef void PatternParameters(Cursor *cursor, Pattern *pattern);
 typedef struct PatternRow {
 	Word word;
 	PatternParameters *parameters; /* NULL: none */
-	bool own_word;                 /* the parameters begin with the word itself: it may have braces */
+	bool own_word; /* the parameters begin with the word itself: it may have braces */
 } PatternRow;
 
 /* The class is the one of the word's name. */
@@ -336,10 +353,12 @@ static const PatternRow *find_row(Word word)
 	return NULL;
 }
 
-/* A function may stand without the word: an identifier, or what the grammar made of function { }. */
+/* A function may stand without the word: an identifier, or what the grammar made of function { }.
+ */
 static const PatternRow *peek_row(const Cursor *cursor)
 {
-	Word word = cursor_peek_item(cursor, VALUE_FUNCTION) ? W_function : cursor_peek_word(cursor);
+	Word word = cursor_peek_item(cursor, VALUE_FUNCTION) ? W_function
+							     : cursor_peek_word(cursor);
 	return word == W_NONE ? NULL : find_row(word);
 }
 
@@ -347,7 +366,8 @@ static const PatternClass *find_class(Context *context, Word word, Location wher
 {
 	const PatternClass *class = pattern_find(word == W_magnet ? "magnet1m" : word_text(word));
 	if (!class)
-		diag_error(context->diag, where, "the pattern '%s' is not supported", word_text(word));
+		diag_error(context->diag, where, "the pattern '%s' is not supported",
+			   word_text(word));
 	return class;
 }
 

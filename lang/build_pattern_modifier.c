@@ -1,4 +1,5 @@
-/* The words that may follow a pattern: turbulence, waves, warps, transformations, and the parameters of single patterns. */
+/* The words that may follow a pattern: turbulence, waves, warps, transformations, and the
+ * parameters of single patterns. */
 #include <string.h>
 
 #include "lang/build_pattern.h"
@@ -9,7 +10,10 @@
 /* Takes what follows the word, which is taken. */
 typedef void ModifierTake(Cursor *cursor, Pattern *pattern);
 
-static int clamp_octaves(double octaves) { return octaves < 1 ? 1 : octaves > 10 ? 10 : (int)octaves; }
+static int clamp_octaves(double octaves)
+{
+	return octaves < 1 ? 1 : octaves > 10 ? 10 : (int)octaves;
+}
 
 /* ---- turbulence ---- */
 
@@ -50,8 +54,14 @@ static void take_lambda(Cursor *cursor, Pattern *pattern)
 
 /* ---- from value to map ---- */
 
-static void take_frequency(Cursor *cursor, Pattern *pattern) { cursor_take_float(cursor, &pattern->frequency); }
-static void take_phase(Cursor *cursor, Pattern *pattern) { cursor_take_float(cursor, &pattern->phase); }
+static void take_frequency(Cursor *cursor, Pattern *pattern)
+{
+	cursor_take_float(cursor, &pattern->frequency);
+}
+static void take_phase(Cursor *cursor, Pattern *pattern)
+{
+	cursor_take_float(cursor, &pattern->phase);
+}
 
 static void take_poly_wave(Cursor *cursor, Pattern *pattern)
 {
@@ -59,11 +69,31 @@ static void take_poly_wave(Cursor *cursor, Pattern *pattern)
 	pattern->exponent = cursor_optional_float(cursor, 1);
 }
 
-static void take_ramp_wave(Cursor *cursor, Pattern *pattern) { (void)cursor; pattern->wave = WAVE_RAMP; }
-static void take_triangle_wave(Cursor *cursor, Pattern *pattern) { (void)cursor; pattern->wave = WAVE_TRIANGLE; }
-static void take_sine_wave(Cursor *cursor, Pattern *pattern) { (void)cursor; pattern->wave = WAVE_SINE; }
-static void take_scallop_wave(Cursor *cursor, Pattern *pattern) { (void)cursor; pattern->wave = WAVE_SCALLOP; }
-static void take_cubic_wave(Cursor *cursor, Pattern *pattern) { (void)cursor; pattern->wave = WAVE_CUBIC; }
+static void take_ramp_wave(Cursor *cursor, Pattern *pattern)
+{
+	(void)cursor;
+	pattern->wave = WAVE_RAMP;
+}
+static void take_triangle_wave(Cursor *cursor, Pattern *pattern)
+{
+	(void)cursor;
+	pattern->wave = WAVE_TRIANGLE;
+}
+static void take_sine_wave(Cursor *cursor, Pattern *pattern)
+{
+	(void)cursor;
+	pattern->wave = WAVE_SINE;
+}
+static void take_scallop_wave(Cursor *cursor, Pattern *pattern)
+{
+	(void)cursor;
+	pattern->wave = WAVE_SCALLOP;
+}
+static void take_cubic_wave(Cursor *cursor, Pattern *pattern)
+{
+	(void)cursor;
+	pattern->wave = WAVE_CUBIC;
+}
 
 static void take_noise_generator(Cursor *cursor, Pattern *pattern)
 {
@@ -73,7 +103,8 @@ static void take_noise_generator(Cursor *cursor, Pattern *pattern)
 	if (generator >= 1 && generator <= 3)
 		pattern->noise_generator = generator;
 	else
-		diag_error(cursor->context->diag, cursor->last->where, "noise_generator takes 1, 2 or 3");
+		diag_error(cursor->context->diag, cursor->last->where,
+			   "noise_generator takes 1, 2 or 3");
 }
 
 /* ---- parameters of single patterns ---- */
@@ -96,7 +127,8 @@ static void take_agate_turb(Cursor *cursor, Pattern *pattern)
 {
 	if (!belongs(cursor, pattern, "agate"))
 		return;
-	AgateData *data = build_pattern_data(cursor->context, pattern, &(AgateData){1}, sizeof *data);
+	AgateData *data = build_pattern_data(cursor->context, pattern, &(AgateData){1},
+					     sizeof *data);
 	cursor_take_float(cursor, &data->turbulence);
 }
 
@@ -104,7 +136,8 @@ static QuiltedData *quilted_data(Cursor *cursor, Pattern *pattern)
 {
 	if (!belongs(cursor, pattern, "quilted"))
 		return NULL;
-	return build_pattern_data(cursor->context, pattern, &(QuiltedData){1, 1}, sizeof(QuiltedData));
+	return build_pattern_data(cursor->context, pattern, &(QuiltedData){1, 1},
+				  sizeof(QuiltedData));
 }
 
 static void take_control0(Cursor *cursor, Pattern *pattern)
@@ -125,7 +158,8 @@ static BrickData *brick_data(Cursor *cursor, Pattern *pattern)
 {
 	if (!belongs(cursor, pattern, "brick"))
 		return NULL;
-	return build_pattern_data(cursor->context, pattern, &(BrickData){{8, 3, 4.5}, 0.5}, sizeof(BrickData));
+	return build_pattern_data(cursor->context, pattern, &(BrickData){{8, 3, 4.5}, 0.5},
+				  sizeof(BrickData));
 }
 
 static void take_brick_size(Cursor *cursor, Pattern *pattern)
@@ -147,7 +181,8 @@ static void take_facets_size(Cursor *cursor, Pattern *pattern)
 {
 	if (!belongs(cursor, pattern, "facets"))
 		return;
-	FacetsData *data = build_pattern_data(cursor->context, pattern, &(FacetsData){0, 0.1}, sizeof *data);
+	FacetsData *data = build_pattern_data(cursor->context, pattern, &(FacetsData){0, 0.1},
+					      sizeof *data);
 	bool coords = cursor->last->word == W_coords;
 	cursor_take_float(cursor, coords ? &data->coords : &data->size);
 }
@@ -156,7 +191,8 @@ static CrackleData *crackle_data(Cursor *cursor, Pattern *pattern)
 {
 	static const CrackleData initial = {.form = {-1, 1, 0}, .metric = 2};
 	return belongs(cursor, pattern, "crackle")
-		? build_pattern_data(cursor->context, pattern, &initial, sizeof(CrackleData)) : NULL;
+		       ? build_pattern_data(cursor->context, pattern, &initial, sizeof(CrackleData))
+		       : NULL;
 }
 
 static void take_metric(Cursor *cursor, Pattern *pattern)
@@ -184,7 +220,9 @@ static PavementData *pavement_data(Cursor *cursor, Pattern *pattern)
 {
 	static const PavementData initial = {.sides = 3, .tiles = 1, .pattern = 1};
 	return belongs(cursor, pattern, "pavement")
-		? build_pattern_data(cursor->context, pattern, &initial, sizeof(PavementData)) : NULL;
+		       ? build_pattern_data(cursor->context, pattern, &initial,
+					    sizeof(PavementData))
+		       : NULL;
 }
 
 static void take_number_of_sides(Cursor *cursor, Pattern *pattern)
@@ -232,7 +270,8 @@ static FractalData *fractal_data(Cursor *cursor, Pattern *pattern)
 	const char *name = pattern->class ? pattern->class->name : "";
 	for (int i = 0; i < 3; i++)
 		if (strncmp(name, names[i], strlen(names[i])) == 0)
-			return build_pattern_data(cursor->context, pattern, pattern->data, sizeof(FractalData));
+			return build_pattern_data(cursor->context, pattern, pattern->data,
+						  sizeof(FractalData));
 	belongs(cursor, pattern, "mandel");
 	return NULL;
 }
@@ -243,12 +282,14 @@ static void take_exponent(Cursor *cursor, Pattern *pattern)
 	if (!data || !cursor_take_int(cursor, &data->exponent))
 		return;
 	if (data->exponent < 2 || data->exponent > 33) {
-		diag_error(cursor->context->diag, cursor->last->where, "an exponent is from 2 to 33");
+		diag_error(cursor->context->diag, cursor->last->where,
+			   "an exponent is from 2 to 33");
 		data->exponent = 2;
 	}
 }
 
-/* exterior TYPE, FACTOR and interior TYPE, FACTOR of fractals; exterior N and interior N of pavements. */
+/* exterior TYPE, FACTOR and interior TYPE, FACTOR of fractals; exterior N and interior N of
+ * pavements. */
 static void take_coloring(Cursor *cursor, Pattern *pattern)
 {
 	bool exterior = cursor->last->word == W_exterior;
@@ -259,14 +300,16 @@ static void take_coloring(Cursor *cursor, Pattern *pattern)
 	}
 	FractalData *data = fractal_data(cursor, pattern);
 	if (data && cursor_take_int(cursor, exterior ? &data->exterior : &data->interior))
-		cursor_take_float(cursor, exterior ? &data->exterior_factor : &data->interior_factor);
+		cursor_take_float(cursor,
+				  exterior ? &data->exterior_factor : &data->interior_factor);
 }
 
 static void take_interpolate(Cursor *cursor, Pattern *pattern)
 {
 	if (!belongs(cursor, pattern, "density_file"))
 		return;
-	DensityData *data = build_pattern_data(cursor->context, pattern, pattern->data, sizeof *data);
+	DensityData *data = build_pattern_data(cursor->context, pattern, pattern->data,
+					       sizeof *data);
 	cursor_take_int(cursor, &data->interpolate);
 }
 

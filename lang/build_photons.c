@@ -41,8 +41,9 @@ static bool read_kernel(Cursor *cursor, Estimator *estimator)
 		Word word;
 		EstimatorKernel kernel;
 	} rows[] = {
-		{W_uniform, KERNEL_UNIFORM}, {W_cone, KERNEL_CONE}, {W_epanechnikov, KERNEL_EPANECHNIKOV},
-		{W_gaussian, KERNEL_GAUSSIAN}, {W_isotropic, KERNEL_ISOTROPIC},
+		{W_uniform, KERNEL_UNIFORM},           {W_cone, KERNEL_CONE},
+		{W_epanechnikov, KERNEL_EPANECHNIKOV}, {W_gaussian, KERNEL_GAUSSIAN},
+		{W_isotropic, KERNEL_ISOTROPIC},
 	};
 	for (size_t i = 0; i < sizeof rows / sizeof *rows; i++)
 		if (cursor_accept_word(cursor, rows[i].word)) {
@@ -93,7 +94,8 @@ static bool read_method(Cursor *cursor, Estimator *estimator, Arena *arena)
 		return cursor_expected(cursor, "an estimator's method");
 	bool braces = cursor_peek_block(cursor);
 	const Node *method = cursor_next(cursor);
-	estimator->kernel = estimator->kind == ESTIMATOR_ADAPTIVE ? KERNEL_GAUSSIAN : KERNEL_EPANECHNIKOV;
+	estimator->kernel = estimator->kind == ESTIMATOR_ADAPTIVE ? KERNEL_GAUSSIAN
+								  : KERNEL_EPANECHNIKOV;
 	if (!braces)
 		return true;
 	Cursor inside = cursor_begin(cursor->context, method);
@@ -155,7 +157,8 @@ static void read_reduction(Cursor *cursor, Progressive *progressive)
 		Word word;
 		Reduction reduction;
 	} rows[] = {
-		{W_apa, REDUCTION_APA}, {W_ppm, REDUCTION_PPM}, {W_appm, REDUCTION_APPM}, {W_cppm, REDUCTION_CPPM},
+		{W_apa, REDUCTION_APA},           {W_ppm, REDUCTION_PPM},
+		{W_appm, REDUCTION_APPM},         {W_cppm, REDUCTION_CPPM},
 		{W_schedule, REDUCTION_SCHEDULE},
 	};
 	Location where = cursor_where(cursor);
@@ -163,7 +166,8 @@ static void read_reduction(Cursor *cursor, Progressive *progressive)
 		if (cursor_accept_word(cursor, rows[i].word)) {
 			progressive->reduction = rows[i].reduction;
 			if (rows[i].reduction != REDUCTION_APA)
-				diag_error(cursor->context->diag, where, "this reduction is not built yet; apa is");
+				diag_error(cursor->context->diag, where,
+					   "this reduction is not built yet; apa is");
 			return;
 		}
 	cursor_expected(cursor, "a reduction");
@@ -202,7 +206,9 @@ static void read_radii(Cursor *cursor, PhotonSettings *settings)
 static const char *take_path(Cursor *cursor)
 {
 	const char *path = NULL;
-	return cursor_take_string(cursor, &path) ? arena_strdup(cursor->context->builder->arena, path) : NULL;
+	return cursor_take_string(cursor, &path)
+		       ? arena_strdup(cursor->context->builder->arena, path)
+		       : NULL;
 }
 
 static bool accept_global_number(Cursor *cursor, PhotonSettings *settings)
@@ -229,7 +235,8 @@ static bool accept_global_number(Cursor *cursor, PhotonSettings *settings)
 		if (cursor_take_float(cursor, &settings->expand_increase))
 			cursor_take_int(cursor, &settings->expand_min);
 	} else if (cursor_accept_word(cursor, W_media)) {
-		if (cursor_take_int(cursor, &settings->media_steps) && cursor_accept_float(cursor, &number))
+		if (cursor_take_int(cursor, &settings->media_steps) &&
+		    cursor_accept_float(cursor, &number))
 			settings->media_factor = number;
 	} else {
 		return false;
@@ -265,7 +272,8 @@ void build_photons_global(Context *context, const Node *block, PhotonSettings *s
 	Cursor cursor = cursor_begin(context, block);
 	settings->on = true;
 	while (!cursor_at_end(&cursor))
-		if (!accept_global_number(&cursor, settings) && !accept_global_other(&cursor, settings))
+		if (!accept_global_number(&cursor, settings) &&
+		    !accept_global_other(&cursor, settings))
 			cursor_unexpected(&cursor);
 	if (settings->media_steps > 0)
 		build_unsupported(context, UNSUPPORTED_PHOTONS, block->where);
@@ -316,7 +324,8 @@ static void take_share(Context *context, Cursor *cursor, const Node *block, Ligh
 	if (share >= 0)
 		light->photons_share = share;
 	else
-		diag_error(context->diag, block->where, "a light's share of photons cannot be negative");
+		diag_error(context->diag, block->where,
+			   "a light's share of photons cannot be negative");
 }
 
 void build_photons_light(Context *context, const Node *block, Light *light)

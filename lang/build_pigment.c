@@ -100,8 +100,9 @@ static void take_color_map(Cursor *cursor, Pigment *pigment)
 {
 	const ColorMap *map = build_color_map(cursor->context, cursor_next(cursor));
 	if (is_list(pigment))
-		diag_error(cursor->context->diag, cursor->last->where, "'%s' takes colours or pigments, not a map",
-		           pigment->pattern.class->name);
+		diag_error(cursor->context->diag, cursor->last->where,
+			   "'%s' takes colours or pigments, not a map",
+			   pigment->pattern.class->name);
 	if (map->count == 0 || is_list(pigment))
 		return;
 	pigment->kind = pigment->pattern.class ? PIGMENT_COLOR_MAP : pigment->kind;
@@ -171,7 +172,8 @@ const Pigment *build_pigment_body(Cursor *cursor, const Pigment *base)
 	const Pigment *named = cursor_accept_item(cursor, VALUE_PIGMENT);
 	if (named && cursor_at_end(cursor))
 		return named;
-	Pigment *pigment = arena_copy(cursor->context->builder->arena, named ? named : base, sizeof *pigment);
+	Pigment *pigment = arena_copy(cursor->context->builder->arena, named ? named : base,
+				      sizeof *pigment);
 	while (!cursor_at_end(cursor))
 		if (!take_item(cursor, pigment))
 			cursor_unexpected(cursor);

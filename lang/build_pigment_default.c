@@ -7,13 +7,15 @@
 static const ColorEntry GRAY[] = {{0, {0, 0, 0, 0, 0}}, {1, {1, 1, 1, 0, 0}}};
 
 static const ColorEntry AGATE[] = {
-	{0.0, {1, 1, 1, 0, 0}},         {0.5, {0.95f, 0.75f, 0.5f, 0, 0}}, {0.5, {0.9f, 0.7f, 0.5f, 0, 0}},
-	{0.6, {0.9f, 0.7f, 0.4f, 0, 0}}, {0.6, {1, 0.7f, 0.4f, 0, 0}},     {1.0, {0.6f, 0.3f, 0, 0, 0}},
+	{0.0, {1, 1, 1, 0, 0}},          {0.5, {0.95f, 0.75f, 0.5f, 0, 0}},
+	{0.5, {0.9f, 0.7f, 0.5f, 0, 0}}, {0.6, {0.9f, 0.7f, 0.4f, 0, 0}},
+	{0.6, {1, 0.7f, 0.4f, 0, 0}},    {1.0, {0.6f, 0.3f, 0, 0, 0}},
 };
 
 static const ColorEntry BOZO[] = {
-	{0.4, {1, 1, 1, 0, 0}}, {0.4, {0, 1, 0, 0, 0}}, {0.6, {0, 1, 0, 0, 0}}, {0.6, {0, 0, 1, 0, 0}},
-	{0.8, {0, 0, 1, 0, 0}}, {0.8, {1, 0, 0, 0, 0}}, {1.0, {1, 0, 0, 0, 0}},
+	{0.4, {1, 1, 1, 0, 0}}, {0.4, {0, 1, 0, 0, 0}}, {0.6, {0, 1, 0, 0, 0}},
+	{0.6, {0, 0, 1, 0, 0}}, {0.8, {0, 0, 1, 0, 0}}, {0.8, {1, 0, 0, 0, 0}},
+	{1.0, {1, 0, 0, 0, 0}},
 };
 
 static const ColorEntry MANDEL[] = {
@@ -26,7 +28,10 @@ static const ColorEntry MARBLE[] = {
 };
 
 static const ColorEntry RADIAL[] = {
-	{0.0, {0, 1, 1, 0, 0}}, {0.333, {1, 1, 0, 0, 0}}, {0.666, {1, 0, 1, 0, 0}}, {1.0, {0, 1, 1, 0, 0}},
+	{0.0, {0, 1, 1, 0, 0}},
+	{0.333, {1, 1, 0, 0, 0}},
+	{0.666, {1, 0, 1, 0, 0}},
+	{1.0, {0, 1, 1, 0, 0}},
 };
 
 static const ColorEntry WOOD[] = {
@@ -41,12 +46,14 @@ typedef struct DefaultMap {
 
 /* Every other pattern is grey. */
 static const DefaultMap DEFAULT_MAPS[] = {
-	{"agate", AGATE, COUNT(AGATE)},    {"bozo", BOZO, COUNT(BOZO)},       {"mandel", MANDEL, COUNT(MANDEL)},
-	{"marble", MARBLE, COUNT(MARBLE)}, {"radial", RADIAL, COUNT(RADIAL)}, {"wood", WOOD, COUNT(WOOD)},
+	{"agate", AGATE, COUNT(AGATE)},    {"bozo", BOZO, COUNT(BOZO)},
+	{"mandel", MANDEL, COUNT(MANDEL)}, {"marble", MARBLE, COUNT(MARBLE)},
+	{"radial", RADIAL, COUNT(RADIAL)}, {"wood", WOOD, COUNT(WOOD)},
 };
 
 static const Rgbft LIST_COLORS[] = {
-	{1, 0, 0, 0, 0}, {0, 1, 0, 0, 0}, {0, 0, 1, 0, 0}, {1, 1, 0, 0, 0}, {0, 1, 1, 0, 0}, {1, 0, 1, 0, 0},
+	{1, 0, 0, 0, 0}, {0, 1, 0, 0, 0}, {0, 0, 1, 0, 0},
+	{1, 1, 0, 0, 0}, {0, 1, 1, 0, 0}, {1, 0, 1, 0, 0},
 };
 /* checker, hexagon, object */
 static const Rgbft SHORT_LIST_COLORS[] = {{0, 0, 1, 0, 0}, {0, 1, 0, 0, 0}, {1, 0, 0, 0, 0}};

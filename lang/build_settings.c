@@ -63,9 +63,11 @@ static void read_numbers(Context *context, const Node *block, const Word *words,
 static void read_radiosity(Context *context, const Node *block)
 {
 	static const Word words[] = {
-		W_adc_bailout, W_always_sample, W_brightness, W_count, W_error_bound, W_gray_threshold, W_low_error_factor,
-		W_max_sample, W_media, W_maximum_reuse, W_minimum_reuse, W_nearest_count, W_normal, W_pretrace_start,
-		W_pretrace_end, W_recursion_limit, W_subsurface, W_save_file, W_load_file,
+		W_adc_bailout, W_always_sample,  W_brightness,       W_count,
+		W_error_bound, W_gray_threshold, W_low_error_factor, W_max_sample,
+		W_media,       W_maximum_reuse,  W_minimum_reuse,    W_nearest_count,
+		W_normal,      W_pretrace_start, W_pretrace_end,     W_recursion_limit,
+		W_subsurface,  W_save_file,      W_load_file,
 	};
 	read_numbers(context, block, words, sizeof words / sizeof *words);
 	context->builder->settings.has_radiosity = true;
@@ -104,7 +106,8 @@ static void read_setting(Cursor *cursor)
 	} else if (cursor_accept_word(cursor, W_charset)) {
 		read_charset(cursor);
 	} else if (cursor_accept_word(cursor, W_hf_gray_16)) {
-		diag_warning(cursor->context->diag, cursor->last->where, "hf_gray_16 has no effect");
+		diag_warning(cursor->context->diag, cursor->last->where,
+			     "hf_gray_16 has no effect");
 		cursor_optional_bool(cursor);
 	} else {
 		cursor_unexpected(cursor);

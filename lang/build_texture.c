@@ -1,6 +1,6 @@
 /*
- * texture { ... }. A transformation in a texture moves the pigment and the normal, or the pattern, that are there when it
- * stands; so it goes to these as a warp, at once.
+ * texture { ... }. A transformation in a texture moves the pigment and the normal, or the pattern,
+ * that are there when it stands; so it goes to these as a warp, at once.
  */
 #include "lang/build_texture.h"
 
@@ -13,14 +13,16 @@ static Arena *scene_arena(const Context *context) { return context->builder->are
 
 /* ---- transformations ---- */
 
-static const Pigment *transform_pigment(Context *context, const Pigment *pigment, const Transform *transform)
+static const Pigment *transform_pigment(Context *context, const Pigment *pigment,
+					const Transform *transform)
 {
 	Pigment *copy = arena_copy(scene_arena(context), pigment, sizeof *copy);
 	build_pattern_transform(context, &copy->pattern, transform);
 	return copy;
 }
 
-static const Normal *transform_normal_block(Context *context, const Normal *normal, const Transform *transform)
+static const Normal *transform_normal_block(Context *context, const Normal *normal,
+					    const Transform *transform)
 {
 	Normal *copy = arena_copy(scene_arena(context), normal, sizeof *copy);
 	build_pattern_transform(context, &copy->pattern, transform);
@@ -59,7 +61,8 @@ static void transform_layers(Context *context, Texture *texture, const Transform
 		transform_layer(context, layer, transform);
 }
 
-const Texture *build_texture_transform(Context *context, const Texture *texture, const Transform *transform)
+const Texture *build_texture_transform(Context *context, const Texture *texture,
+				       const Transform *transform)
 {
 	Texture *copy = copy_layers(context, texture);
 	transform_layers(context, copy, transform);
@@ -168,8 +171,8 @@ static void take_uv_mapping(Cursor *cursor, Texture *texture)
 
 /* ---- items ---- */
 
-/* A pigment, normal or finish: with its block, or as POV-Ray also reads it, by its bare name. Of several layers the top one
- * changes (the manual says the bottom one; the program does not). */
+/* A pigment, normal or finish: with its block, or as POV-Ray also reads it, by its bare name. Of
+ * several layers the top one changes (the manual says the bottom one; the program does not). */
 static bool take_part(Cursor *cursor, Texture *texture)
 {
 	Context *context = cursor->context;
@@ -243,7 +246,8 @@ static bool take_item(Cursor *cursor, Texture *texture)
 	}
 	if (take_no_bump_scale(cursor, texture) || take_kind(cursor, texture))
 		return true;
-	return texture->kind != TEXTURE_PLAIN && build_accept_pattern_modifier(cursor, &texture->pattern);
+	return texture->kind != TEXTURE_PLAIN &&
+	       build_accept_pattern_modifier(cursor, &texture->pattern);
 }
 
 /* A patterned texture without textures falls back to the default. */
@@ -251,7 +255,8 @@ static void check_entries(Cursor *cursor, Texture *texture)
 {
 	if (texture->kind == TEXTURE_PLAIN || texture->texture_count > 0)
 		return;
-	diag_error(cursor->context->diag, cursor_where(cursor), "a patterned texture needs a texture_map or textures");
+	diag_error(cursor->context->diag, cursor_where(cursor),
+		   "a patterned texture needs a texture_map or textures");
 	texture->kind = TEXTURE_PLAIN;
 }
 
@@ -313,7 +318,8 @@ bool build_texture_default(Context *context, const Node *block)
 		if (whole->kind == TEXTURE_PLAIN)
 			*texture = *whole;
 		else
-			diag_error(context->diag, block->where, "a patterned texture cannot be the default");
+			diag_error(context->diag, block->where,
+				   "a patterned texture cannot be the default");
 		break;
 	}
 	default:

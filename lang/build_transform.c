@@ -18,7 +18,8 @@ bool build_peek_transform(const Cursor *cursor)
 static Transform scale_by(Cursor *cursor, Vec3 by)
 {
 	if (by.x == 0 || by.y == 0 || by.z == 0)
-		diag_warning(cursor->context->diag, cursor->last->where, "scale by 0 taken as scale by 1");
+		diag_warning(cursor->context->diag, cursor->last->where,
+			     "scale by 0 taken as scale by 1");
 	return transform_scale(by);
 }
 
@@ -27,7 +28,8 @@ static Transform take_matrix(Cursor *cursor)
 	double rows[12];
 	Transform matrix = transform_identity();
 	if (cursor_take_floats(cursor, rows, 12) && !transform_matrix(rows, &matrix))
-		diag_error(cursor->context->diag, cursor->last->where, "this matrix cannot be inverted");
+		diag_error(cursor->context->diag, cursor->last->where,
+			   "this matrix cannot be inverted");
 	return matrix;
 }
 

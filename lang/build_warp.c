@@ -45,7 +45,8 @@ static bool take_repeat(Cursor *cursor, Warp *warp)
 	if (!cursor_take_vec3(cursor, &along))
 		return false;
 	if (!along_axis(along, &repeat.axis, &repeat.width)) {
-		diag_error(cursor->context->diag, cursor->last->where, "repeat takes a vector along one axis");
+		diag_error(cursor->context->diag, cursor->last->where,
+			   "repeat takes a vector along one axis");
 		return false;
 	}
 	while (!cursor_at_end(cursor)) {

@@ -95,12 +95,13 @@ static const char *argument_name(char letter)
 
 static bool wrong_count(const BuiltinCall *call)
 {
-	diag_error(call->context->diag, call->where, "'%s' cannot take %d argument%s", word_text(call->word), call->count,
-	           call->count == 1 ? "" : "s");
+	diag_error(call->context->diag, call->where, "'%s' cannot take %d argument%s",
+		   word_text(call->word), call->count, call->count == 1 ? "" : "s");
 	return false;
 }
 
-/* Checks the arguments against the signature; *trees counts those that are trees where a float should be. */
+/* Checks the arguments against the signature; *trees counts those that are trees where a float
+ * should be. */
 static bool arguments_fit(const BuiltinCall *call, const char *signature, int *trees)
 {
 	const char *letter = signature;
@@ -110,8 +111,10 @@ static bool arguments_fit(const BuiltinCall *call, const char *signature, int *t
 		if (call->args[i].kind == VALUE_EXPRESSION && *letter == 'f') {
 			++*trees;
 		} else if (!argument_fits(*letter, call->args[i])) {
-			diag_error(call->context->diag, call->where, "argument %d of '%s' must be %s, found %s", i + 1,
-			           word_text(call->word), argument_name(*letter), value_describe(call->args[i]));
+			diag_error(call->context->diag, call->where,
+				   "argument %d of '%s' must be %s, found %s", i + 1,
+				   word_text(call->word), argument_name(*letter),
+				   value_describe(call->args[i]));
 			return false;
 		}
 		if (letter[1] == '?')
@@ -127,7 +130,8 @@ static bool arguments_fit(const BuiltinCall *call, const char *signature, int *t
 static Value call_tree(const BuiltinCall *call, const BuiltinRow *row)
 {
 	if (!row->in_function) {
-		diag_error(call->context->diag, call->where, "'%s' cannot be used in a function", word_text(call->word));
+		diag_error(call->context->diag, call->where, "'%s' cannot be used in a function",
+			   word_text(call->word));
 		return value_float(0);
 	}
 	Expression root = {.kind = EXPRESSION_CALL, .word = call->word};

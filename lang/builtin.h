@@ -1,13 +1,15 @@
 /*
- * The built-in functions of expressions: a row a word (lang/builtin.c), which says what arguments it takes; families of
- * functions have a file each. Shared by those files only; others call expression_call.
+ * The built-in functions of expressions: a row a word (lang/builtin.c), which says what arguments
+ * it takes; families of functions have a file each. Shared by those files only; others call
+ * expression_call.
  */
 #ifndef LANG_BUILTIN_H
 #define LANG_BUILTIN_H
 
 #include "lang/expression.h"
 
-/* A call whose arguments fit the row's signature; vectors are promoted to what the signature asks. */
+/* A call whose arguments fit the row's signature; vectors are promoted to what the signature asks.
+ */
 typedef struct BuiltinCall {
 	Context *context;
 	Word word;
@@ -16,8 +18,8 @@ typedef struct BuiltinCall {
 	Location where;
 } BuiltinCall;
 
-/* One letter an argument: f float, v vector (or float, colour), s string, o object, a array, * anything. `?` after a letter:
- * it and all that follow may be missing; `+`: once or more often. */
+/* One letter an argument: f float, v vector (or float, colour), s string, o object, a array, *
+ * anything. `?` after a letter: it and all that follow may be missing; `+`: once or more often. */
 typedef struct BuiltinRow {
 	const char *signature;
 	bool in_function;              /* may depend on a function's arguments */

@@ -5,7 +5,8 @@
 
 static Value domain_error(const BuiltinCall *call, double x)
 {
-	diag_error(call->context->diag, call->where, "'%s' of %g is not defined", word_text(call->word), x);
+	diag_error(call->context->diag, call->where, "'%s' of %g is not defined",
+		   word_text(call->word), x);
 	return value_float(0);
 }
 
@@ -41,8 +42,9 @@ static double clamped(const BuiltinCall *call)
 	double x = call->args[0].number;
 	if (fabs(x) <= 1)
 		return x;
-	diag_warning(call->context->diag, call->where, "'%s' of %g is not defined: the argument is clamped",
-	             word_text(call->word), x);
+	diag_warning(call->context->diag, call->where,
+		     "'%s' of %g is not defined: the argument is clamped", word_text(call->word),
+		     x);
 	return x > 0 ? 1 : -1;
 }
 
@@ -100,7 +102,9 @@ Value builtin_bitwise(const BuiltinCall *call)
 	int bits = (int)builtin_int(call->args[0].number);
 	for (int i = 1; i < call->count; i++) {
 		int x = (int)builtin_int(call->args[i].number);
-		bits = call->word == W_bitwise_and ? bits & x : call->word == W_bitwise_or ? bits | x : bits ^ x;
+		bits = call->word == W_bitwise_and  ? bits & x
+		       : call->word == W_bitwise_or ? bits | x
+						    : bits ^ x;
 	}
 	return value_float(bits);
 }
@@ -141,13 +145,15 @@ Value builtin_seed(const BuiltinCall *call)
 	return value_float(streams->count++);
 }
 
-/* The linear congruential generator whose numbers POV-Ray's scenes know: 32 bits, both ends of [0, 1] included. */
+/* The linear congruential generator whose numbers POV-Ray's scenes know: 32 bits, both ends of [0,
+ * 1] included. */
 Value builtin_rand(const BuiltinCall *call)
 {
 	struct RandomStreams *streams = streams_of(call->context);
 	int number = (int)builtin_int(call->args[0].number);
 	if (number < 0 || number >= streams->count) {
-		diag_error(call->context->diag, call->where, "no random stream %d: 'rand' takes what 'seed' gave", number);
+		diag_error(call->context->diag, call->where,
+			   "no random stream %d: 'rand' takes what 'seed' gave", number);
 		return value_float(0);
 	}
 	uint32_t next = streams->states[number] * 1812433253u + 12345u;

@@ -13,7 +13,8 @@
 /* Hits nearer than this to the start of a traced ray do not count. */
 #define TRACE_START 1e-6
 
-/* The shapes of objects that were asked lately. Objects never change, so an address stands for one. */
+/* The shapes of objects that were asked lately. Objects never change, so an address stands for one.
+ */
 enum { SHAPE_CACHE_SIZE = 256 };
 
 struct ShapeCache {
@@ -30,7 +31,8 @@ static const Shape *shape_of(Context *context, const Object *object)
 	size_t slot = ((uintptr_t)object >> 4) % SHAPE_CACHE_SIZE;
 	if (context->shapes->entries[slot].object != object) {
 		context->shapes->entries[slot].object = object;
-		context->shapes->entries[slot].shape = object_shape(context->builder->arena, object);
+		context->shapes->entries[slot].shape = object_shape(context->builder->arena,
+								    object);
 	}
 	return context->shapes->entries[slot].shape;
 }
@@ -44,7 +46,8 @@ Value builtin_inside(const BuiltinCall *call)
 static Value trace_object(Context *context, const Value args[3], Value *normal)
 {
 	const Shape *shape = shape_of(context, args[0].item);
-	Ray ray = {value_to_vec3(args[1]), vec3_normalize(value_to_vec3(args[2])), TRACE_START, UNBOUNDED};
+	Ray ray = {value_to_vec3(args[1]), vec3_normalize(value_to_vec3(args[2])), TRACE_START,
+		   UNBOUNDED};
 	Hit hit;
 	*normal = value_vec3(vec3_all(0));
 	if (!shape || vec3_length2(ray.direction) == 0 || !shape_nearest(shape, &ray, &hit))
@@ -63,7 +66,8 @@ Value builtin_trace(const BuiltinCall *call)
 Value expression_trace(Context *context, const Value args[3], Value *normal, Location where)
 {
 	Value ignored;
-	bool fits = args[0].kind == VALUE_OBJECT && value_is_numeric(args[1]) && value_is_numeric(args[2]);
+	bool fits = args[0].kind == VALUE_OBJECT && value_is_numeric(args[1]) &&
+		    value_is_numeric(args[2]);
 	if (fits)
 		return trace_object(context, args, normal ? normal : &ignored);
 	if (normal)
@@ -95,7 +99,8 @@ Value builtin_dimension_size(const BuiltinCall *call)
 {
 	const Array *array = call->args[0].array;
 	double which = call->args[1].number;
-	return value_float(which >= 1 && which < array->dimensions + 1 ? array->size[(int)which - 1] : 0);
+	return value_float(which >= 1 && which < array->dimensions + 1 ? array->size[(int)which - 1]
+								       : 0);
 }
 
 Value builtin_defined(const BuiltinCall *call)

@@ -88,7 +88,8 @@ Value builtin_chr(const BuiltinCall *call)
 	double code = call->args[0].number;
 	char text[5];
 	if (!(code >= 0 && code < 0x110000)) {
-		diag_error(call->context->diag, call->where, "'chr' of %g: no such character", code);
+		diag_error(call->context->diag, call->where, "'chr' of %g: no such character",
+			   code);
 		return value_string("");
 	}
 	string_encode((int)code, text);
@@ -118,11 +119,13 @@ Value builtin_datetime(const BuiltinCall *call)
 	struct tm parts;
 	time_t moment = (time_t)seconds;
 	if (!(fabs(seconds) < 1e15) || !gmtime_r(&moment, &parts)) {
-		diag_error(call->context->diag, call->where, "'datetime' of %g is out of range", call->args[0].number);
+		diag_error(call->context->diag, call->where, "'datetime' of %g is out of range",
+			   call->args[0].number);
 		return value_string("");
 	}
 	if (strftime(text, sizeof text, format, &parts) == 0 && *format) {
-		diag_error(call->context->diag, call->where, "'datetime' gives nothing, or too long a text");
+		diag_error(call->context->diag, call->where,
+			   "'datetime' gives nothing, or too long a text");
 		return value_string("");
 	}
 	return value_string(*format ? arena_strdup(call->context->parse, text) : "");
@@ -131,7 +134,8 @@ Value builtin_datetime(const BuiltinCall *call)
 Value builtin_str(const BuiltinCall *call)
 {
 	const Value *a = call->args;
-	return value_string(string_format_float(call->context->parse, a[0].number, a[1].number, a[2].number));
+	return value_string(
+		string_format_float(call->context->parse, a[0].number, a[1].number, a[2].number));
 }
 
 Value builtin_strcmp(const BuiltinCall *call)
@@ -165,7 +169,8 @@ Value builtin_substr(const BuiltinCall *call)
 	}
 	if (first < 1)
 		return value_string("");
-	const char *start = character_at(text, (int)first - 1), *end = character_at(start, (int)count);
+	const char *start = character_at(text, (int)first - 1),
+		   *end = character_at(start, (int)count);
 	return value_string(arena_strndup(call->context->parse, start, (size_t)(end - start)));
 }
 

@@ -26,7 +26,8 @@ Value builtin_vnormalize(const BuiltinCall *call)
 {
 	Vec3 v = vector_argument(call, 0);
 	if (vec3_length2(v) == 0) {
-		diag_warning(call->context->diag, call->where, "a vector of no length cannot be normalized");
+		diag_warning(call->context->diag, call->where,
+			     "a vector of no length cannot be normalized");
 		return value_vec3(v);
 	}
 	return value_vec3(vec3_normalize(v));
@@ -42,7 +43,8 @@ Value builtin_vaxis_rotate(const BuiltinCall *call)
 {
 	Vec3 axis = vector_argument(call, 1);
 	if (vec3_length2(axis) == 0) {
-		diag_warning(call->context->diag, call->where, "the axis of 'vaxis_rotate' has no length");
+		diag_warning(call->context->diag, call->where,
+			     "the axis of 'vaxis_rotate' has no length");
 		return value_vec3(vector_argument(call, 0));
 	}
 	Transform turn = transform_rotate_axis(axis, call->args[2].number);
@@ -57,5 +59,6 @@ Value builtin_vturbulence(const BuiltinCall *call)
 	t.lambda = call->args[0].number;
 	t.omega = call->args[1].number;
 	t.octaves = octaves < 1 ? 1 : octaves > 10 ? 10 : (int)octaves;
-	return value_vec3(turbulence_vector(vector_argument(call, 3), &t, call->context->builder->settings.noise_generator));
+	return value_vec3(turbulence_vector(vector_argument(call, 3), &t,
+					    call->context->builder->settings.noise_generator));
 }

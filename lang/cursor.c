@@ -69,8 +69,8 @@ static const char *describe_place(const Cursor *cursor)
 
 bool cursor_expected(Cursor *cursor, const char *what)
 {
-	diag_error(cursor->context->diag, cursor_where(cursor), "expected %s%s, found %s", what, describe_place(cursor),
-	           describe(cursor));
+	diag_error(cursor->context->diag, cursor_where(cursor), "expected %s%s, found %s", what,
+		   describe_place(cursor), describe(cursor));
 	while (cursor->at && (cursor->at->kind == NODE_VALUE || cursor->at->kind == NODE_ITEM))
 		cursor->at = cursor->at->next;
 	return false;
@@ -105,9 +105,15 @@ Word cursor_peek_word(const Cursor *cursor)
 	return node && (node->kind == NODE_WORD || node->kind == NODE_BLOCK) ? node->word : W_NONE;
 }
 
-bool cursor_peek_block(const Cursor *cursor) { return cursor->at && cursor->at->kind == NODE_BLOCK; }
+bool cursor_peek_block(const Cursor *cursor)
+{
+	return cursor->at && cursor->at->kind == NODE_BLOCK;
+}
 
-bool cursor_peek_entry(const Cursor *cursor) { return cursor->at && cursor->at->kind == NODE_ENTRY; }
+bool cursor_peek_entry(const Cursor *cursor)
+{
+	return cursor->at && cursor->at->kind == NODE_ENTRY;
+}
 
 static bool peek_value(const Cursor *cursor, ValueKind kind)
 {
@@ -143,7 +149,10 @@ const Node *cursor_accept_block(Cursor *cursor, Word word)
 	return cursor_next(cursor);
 }
 
-const Node *cursor_accept_entry(Cursor *cursor) { return cursor_peek_entry(cursor) ? cursor_next(cursor) : NULL; }
+const Node *cursor_accept_entry(Cursor *cursor)
+{
+	return cursor_peek_entry(cursor) ? cursor_next(cursor) : NULL;
+}
 
 bool cursor_accept_float(Cursor *cursor, double *out)
 {
@@ -218,7 +227,8 @@ bool cursor_take_floats(Cursor *cursor, double *out, int count)
 	int filled = 0;
 	while (filled < count) {
 		if (!cursor_peek_numeric(cursor))
-			return cursor_expected(cursor, arena_printf(cursor->context->items, "%d floats", count));
+			return cursor_expected(
+				cursor, arena_printf(cursor->context->items, "%d floats", count));
 		Value value = cursor_next(cursor)->value;
 		if (value.kind == VALUE_FLOAT)
 			out[filled++] = value.number;

@@ -3,10 +3,12 @@
  *
  *     peek    looks only;
  *     accept  takes the next node when it is of that sort, and says whether it did;
- *     take    must be there: reports what was expected, after which word, and what was found instead, and returns false.
+ *     take    must be there: reports what was expected, after which word, and what was found
+ * instead, and returns false.
  *
- * After a report the cursor stands at the next word, block or entry, so that the walk goes on without echoes.
- * A builder's loop ends with cursor_unexpected for a node that it has no use for, which reports and skips it.
+ * After a report the cursor stands at the next word, block or entry, so that the walk goes on
+ * without echoes. A builder's loop ends with cursor_unexpected for a node that it has no use for,
+ * which reports and skips it.
  */
 #ifndef LANG_CURSOR_H
 #define LANG_CURSOR_H
@@ -35,7 +37,8 @@ bool cursor_end(Cursor *cursor);
 const Node *cursor_next(Cursor *cursor);
 /* Reports the next node as unexpected and skips it. */
 void cursor_unexpected(Cursor *cursor);
-/* Reports `expected WHAT after 'WORD', found ...` at the next node, and skips values up to the next word. Always false. */
+/* Reports `expected WHAT after 'WORD', found ...` at the next node, and skips values up to the next
+ * word. Always false. */
 bool cursor_expected(Cursor *cursor, const char *what);
 
 /* The word of the next node when it is a word or a block; W_NONE otherwise. */

@@ -50,7 +50,8 @@ static bool is_numeric_or_tree(Value a)
 
 static Value report_operand(Context *context, Value bad, Location where)
 {
-	diag_error(context->diag, where, "expected a number, a vector or a colour, found %s", value_describe(bad));
+	diag_error(context->diag, where, "expected a number, a vector or a colour, found %s",
+		   value_describe(bad));
 	return value_float(0);
 }
 
@@ -59,7 +60,11 @@ Value expression_unary(Context *context, Operator op, Value a, Location where)
 	if (a.kind == VALUE_FLOAT)
 		return value_float(apply_unary(op, a.number));
 	if (a.kind == VALUE_EXPRESSION)
-		return op == OP_PLUS ? a : expression_tree(context, (Expression){.kind = EXPRESSION_UNARY, .op = op}, &a, 1, where);
+		return op == OP_PLUS
+			       ? a
+			       : expression_tree(context,
+						 (Expression){.kind = EXPRESSION_UNARY, .op = op},
+						 &a, 1, where);
 	if (!value_is_numeric(a))
 		return report_operand(context, a, where);
 	for (int i = 0; i < a.size; i++)
@@ -70,7 +75,8 @@ Value expression_unary(Context *context, Operator op, Value a, Location where)
 static Value compare_strings(Context *context, Operator op, const Value operands[2], Location where)
 {
 	if (operands[0].kind != VALUE_STRING || operands[1].kind != VALUE_STRING)
-		return report_operand(context, operands[operands[0].kind == VALUE_STRING ? 0 : 1], where);
+		return report_operand(context, operands[operands[0].kind == VALUE_STRING ? 0 : 1],
+				      where);
 	if (op < OP_LESS || op > OP_GREATER) {
 		diag_error(context->diag, where, "strings can only be compared");
 		return value_float(0);
@@ -87,8 +93,10 @@ static void warn_division(Context *context, const Value *by, int size, Location 
 		}
 }
 
-/* Vectors and colours, component by component; a float stands for equal components, what a shorter vector lacks is 0. */
-static Value binary_vectors(Context *context, Operator op, const Value *a, const Value *b, Location where)
+/* Vectors and colours, component by component; a float stands for equal components, what a shorter
+ * vector lacks is 0. */
+static Value binary_vectors(Context *context, Operator op, const Value *a, const Value *b,
+			    Location where)
 {
 	int size = a->size > b->size ? a->size : b->size;
 	bool color = a->kind == VALUE_COLOR || b->kind == VALUE_COLOR;
@@ -116,7 +124,8 @@ Value expression_binary(Context *context, Operator op, Value a, Value b, Locatio
 	if (!is_numeric_or_tree(a) || !is_numeric_or_tree(b))
 		return report_operand(context, is_numeric_or_tree(a) ? b : a, where);
 	if (a.kind == VALUE_EXPRESSION || b.kind == VALUE_EXPRESSION)
-		return expression_tree(context, (Expression){.kind = EXPRESSION_BINARY, .op = op}, operands, 2, where);
+		return expression_tree(context, (Expression){.kind = EXPRESSION_BINARY, .op = op},
+				       operands, 2, where);
 	return binary_vectors(context, op, &a, &b, where);
 }
 
@@ -124,7 +133,8 @@ Value expression_conditional(Context *context, Value test, Value yes, Value no, 
 {
 	if (test.kind == VALUE_EXPRESSION) {
 		Value parts[3] = {test, yes, no};
-		return expression_tree(context, (Expression){.kind = EXPRESSION_CONDITIONAL}, parts, 3, where);
+		return expression_tree(context, (Expression){.kind = EXPRESSION_CONDITIONAL}, parts,
+				       3, where);
 	}
 	if (!value_is_numeric(test))
 		return report_operand(context, test, where);
@@ -140,8 +150,9 @@ Value expression_vector(Context *context, const Value *parts, int count, Locatio
 	}
 	for (int i = 0; i < count; i++) {
 		if (parts[i].kind != VALUE_FLOAT) {
-			diag_error(context->diag, where, "component %d of a vector must be a float, found %s", i + 1,
-			           value_describe(parts[i]));
+			diag_error(context->diag, where,
+				   "component %d of a vector must be a float, found %s", i + 1,
+				   value_describe(parts[i]));
 			return value_vec3(vec3_all(0));
 		}
 		result.v[i] = parts[i].number;
@@ -153,7 +164,8 @@ static const struct MemberRow {
 	const char *name;
 	int index;
 } member_rows[] = {
-	{"x", 0}, {"y", 1}, {"z", 2}, {"t", 3}, {"u", 0}, {"v", 1}, {"red", 0}, {"green", 1}, {"blue", 2}, {"filter", 3},
+	{"x", 0},        {"y", 1},    {"z", 2},     {"t", 3},    {"u", 0},
+	{"v", 1},        {"red", 0},  {"green", 1}, {"blue", 2}, {"filter", 3},
 	{"transmit", 4}, {"gray", 5}, {"grey", 5},
 };
 
@@ -170,20 +182,27 @@ Value expression_member(Context *context, Value of, const char *member, Location
 {
 	int index = member_index(member);
 	if (index < 0) {
-		diag_error(context->diag, where, "no member '%s': expected x, y, z, t, u, v, red, green, blue, filter, transmit "
-		           "or gray", member);
+		diag_error(
+			context->diag, where,
+			"no member '%s': expected x, y, z, t, u, v, red, green, blue, filter, transmit "
+			"or gray",
+			member);
 		return value_float(0);
 	}
 	if (of.kind == VALUE_EXPRESSION && of.expression->kind == EXPRESSION_VECTOR)
-		return expression_tree(context, (Expression){.kind = EXPRESSION_COMPONENT, .number = index}, &of, 1, where);
+		return expression_tree(context,
+				       (Expression){.kind = EXPRESSION_COMPONENT, .number = index},
+				       &of, 1, where);
 	if (of.kind != VALUE_VECTOR && of.kind != VALUE_COLOR) {
-		diag_error(context->diag, where, "%s has no member '%s'", value_describe(of), member);
+		diag_error(context->diag, where, "%s has no member '%s'", value_describe(of),
+			   member);
 		return value_float(0);
 	}
 	if (index == 5)
 		return value_float(0.297 * of.v[0] + 0.589 * of.v[1] + 0.114 * of.v[2]);
 	if (index >= of.size) {
-		diag_error(context->diag, where, "%s has no member '%s'", value_describe(of), member);
+		diag_error(context->diag, where, "%s has no member '%s'", value_describe(of),
+			   member);
 		return value_float(0);
 	}
 	return value_float(of.v[index]);
@@ -195,7 +214,8 @@ static double srgb_to_linear(double c)
 	return c <= 0.04045 ? c / 12.92 : pow((c + 0.055) / 1.055, 2.4);
 }
 
-/* An sRGB-coded component in the scene's own colours: coded by assumed_gamma, linear when it is 1 or not given. */
+/* An sRGB-coded component in the scene's own colours: coded by assumed_gamma, linear when it is 1
+ * or not given. */
 static double srgb_to_scene(const Context *context, double c)
 {
 	double gamma = context->builder->settings.assumed_gamma;
@@ -205,7 +225,8 @@ static double srgb_to_scene(const Context *context, double c)
 	return gamma == 0 || gamma == 1 || linear <= 0 ? linear : pow(linear, 1 / gamma);
 }
 
-/* How many components a colour keyword reads, whether the fourth of four is transmit, and whether they are sRGB-coded. */
+/* How many components a colour keyword reads, whether the fourth of four is transmit, and whether
+ * they are sRGB-coded. */
 typedef struct ColorForm {
 	int size;
 	bool transmit_fourth, srgb;
@@ -235,8 +256,11 @@ Value expression_color(Context *context, Word keyword, Value of, Location where)
 	}
 	bool named = keyword == W_color || keyword == W_colour;
 	if (of.size > form.size && !named && of.kind != VALUE_COLOR)
-		diag_warning(context->diag, where, "'%s' takes %d components, not %d", word_text(keyword), form.size, of.size);
-	int size = of.kind == VALUE_FLOAT ? form.size : form.transmit_fourth && of.size > 4 ? 4 : of.size;
+		diag_warning(context->diag, where, "'%s' takes %d components, not %d",
+			     word_text(keyword), form.size, of.size);
+	int size = of.kind == VALUE_FLOAT                ? form.size
+		   : form.transmit_fourth && of.size > 4 ? 4
+							 : of.size;
 	for (int i = 0; i < size; i++)
 		result.v[i] = component(&of, i);
 	if (form.transmit_fourth) {
@@ -254,10 +278,13 @@ Value expression_color_part(Context *context, Value color, Word part, Value of, 
 	if (!value_is_numeric(color))
 		color = value_float(0);
 	if (color.kind != VALUE_COLOR)
-		/* `rgb 0.5 transmit 0.2` comes as rgb of this: the float spreads over red, green and blue alone. */
-		color = expression_color(context, color.kind == VALUE_FLOAT ? W_rgb : W_color, color, where);
+		/* `rgb 0.5 transmit 0.2` comes as rgb of this: the float spreads over red, green
+		 * and blue alone. */
+		color = expression_color(context, color.kind == VALUE_FLOAT ? W_rgb : W_color,
+					 color, where);
 	if (of.kind != VALUE_FLOAT || index < 0 || index > 4) {
-		diag_error(context->diag, where, "expected a float after '%s', found %s", word_text(part), value_describe(of));
+		diag_error(context->diag, where, "expected a float after '%s', found %s",
+			   word_text(part), value_describe(of));
 		return color;
 	}
 	color.v[index] = of.number;
@@ -286,7 +313,9 @@ static double days_now(void)
 
 Value expression_constant(Context *context, Word word, Location where)
 {
-	int argument = context->functions ? function_argument(context, word_text(word), strlen(word_text(word))) : -1;
+	int argument = context->functions ? function_argument(context, word_text(word),
+							      strlen(word_text(word)))
+					  : -1;
 	if (argument >= 0)
 		return function_argument_value(context, argument);
 	switch (word) {
@@ -305,7 +334,8 @@ Value expression_constant(Context *context, Word word, Location where)
 	case W_image_height: return value_float(context->image_height);
 	case W_version: return value_float(context->version > 0 ? context->version : 3.7);
 	case W_now: return value_float(days_now());
-	case W_input_file_name: return value_string(context->input_file_name ? context->input_file_name : "");
+	case W_input_file_name:
+		return value_string(context->input_file_name ? context->input_file_name : "");
 	default: break;
 	}
 	Value axis = axis_constant(word);
@@ -324,16 +354,21 @@ const Expression *expression_of(Arena *arena, Value value)
 	return constant;
 }
 
-Value expression_tree(Context *context, Expression root, const Value *parts, int count, Location where)
+Value expression_tree(Context *context, Expression root, const Value *parts, int count,
+		      Location where)
 {
 	const Expression **list = ARENA_ARRAY(context->parse, const Expression *, count);
 	for (int i = 0; i < count; i++) {
-		bool vector = parts[i].kind == VALUE_EXPRESSION && parts[i].expression->kind == EXPRESSION_VECTOR;
-		bool fits = parts[i].kind == VALUE_FLOAT || (parts[i].kind == VALUE_EXPRESSION &&
-		                                             vector == (root.kind == EXPRESSION_COMPONENT));
+		bool vector = parts[i].kind == VALUE_EXPRESSION &&
+			      parts[i].expression->kind == EXPRESSION_VECTOR;
+		bool fits = parts[i].kind == VALUE_FLOAT ||
+			    (parts[i].kind == VALUE_EXPRESSION &&
+			     vector == (root.kind == EXPRESSION_COMPONENT));
 		if (!fits) {
-			diag_error(context->diag, where, "a function computes with floats, found %s",
-			           vector ? "a vector function without a member" : value_describe(parts[i]));
+			diag_error(context->diag, where,
+				   "a function computes with floats, found %s",
+				   vector ? "a vector function without a member"
+					  : value_describe(parts[i]));
 			return value_float(0);
 		}
 		list[i] = expression_of(context->parse, parts[i]);

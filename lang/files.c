@@ -23,7 +23,8 @@ struct SceneFile {
 
 /* ---- where files may be ---- */
 
-/* The real path of what the path names or, for a file to be made, of its folder with the name after it. */
+/* The real path of what the path names or, for a file to be made, of its folder with the name after
+ * it. */
 static bool real_path(const char *path, char out[PATH_MAX])
 {
 	if (realpath(path, out))
@@ -31,8 +32,8 @@ static bool real_path(const char *path, char out[PATH_MAX])
 	const char *slash = strrchr(path, '/'), *name = slash ? slash + 1 : path;
 	char folder[PATH_MAX], real_folder[PATH_MAX];
 	int length = slash ? (int)(slash - path) : 1;
-	if (snprintf(folder, sizeof folder, "%.*s", length, slash ? path : ".") >= PATH_MAX || *name == '\0' ||
-	    strcmp(name, "..") == 0)
+	if (snprintf(folder, sizeof folder, "%.*s", length, slash ? path : ".") >= PATH_MAX ||
+	    *name == '\0' || strcmp(name, "..") == 0)
 		return false;
 	if (!realpath(length ? folder : "/", real_folder))
 		return false;
@@ -45,7 +46,8 @@ static bool lies_below(const char *real, const char *folder)
 	if (!realpath(folder, top))
 		return false;
 	size_t length = strlen(top);
-	return strcmp(top, "/") == 0 || (strncmp(real, top, length) == 0 && (real[length] == '/' || real[length] == '\0'));
+	return strcmp(top, "/") == 0 ||
+	       (strncmp(real, top, length) == 0 && (real[length] == '/' || real[length] == '\0'));
 }
 
 bool files_may_read(Context *context, const char *path, Location where)
@@ -69,7 +71,8 @@ static bool may_write(Context *context, const char *path, Location where)
 	char real[PATH_MAX];
 	if (context->allow_write_anywhere || (real_path(path, real) && lies_below(real, ".")))
 		return true;
-	diag_error(context->diag, where, "writing '%s' is not allowed: it is outside the working directory", path);
+	diag_error(context->diag, where,
+		   "writing '%s' is not allowed: it is outside the working directory", path);
 	return false;
 }
 
@@ -84,7 +87,8 @@ const char *files_find(Context *context, const char *name)
 	if (is_file(name))
 		return arena_strdup(context->parse, name);
 	for (int i = 0; *name != '/' && i < context->library_path_count; i++) {
-		const char *path = arena_printf(context->parse, "%s/%s", context->library_paths[i], name);
+		const char *path = arena_printf(context->parse, "%s/%s", context->library_paths[i],
+						name);
 		if (is_file(path))
 			return path;
 	}
@@ -100,7 +104,8 @@ SceneFile *files_open(Context *context, const char *path, FileMode mode, Locatio
 		diag_error(context->diag, where, "no file '%s'", path);
 		return NULL;
 	}
-	if (mode == FILE_READ ? !files_may_read(context, found, where) : !may_write(context, found, where))
+	if (mode == FILE_READ ? !files_may_read(context, found, where)
+			      : !may_write(context, found, where))
 		return NULL;
 	FILE *stream = fopen(found, mode == FILE_READ ? "r" : mode == FILE_WRITE ? "w" : "a");
 	if (!stream) {
@@ -129,7 +134,8 @@ void files_close_all(Context *context)
 
 /* ---- reading ---- */
 
-/* The next character that is no blank, and no comma if commas do not count; EOF at the end. It stays in the stream. */
+/* The next character that is no blank, and no comma if commas do not count; EOF at the end. It
+ * stays in the stream. */
 static int peek_past_blanks(FILE *stream, bool commas)
 {
 	int c;
@@ -143,10 +149,12 @@ static int peek_past_blanks(FILE *stream, bool commas)
 
 bool files_at_end(SceneFile *file)
 {
-	return !file->stream || (file->mode == FILE_READ && peek_past_blanks(file->stream, true) == EOF);
+	return !file->stream ||
+	       (file->mode == FILE_READ && peek_past_blanks(file->stream, true) == EOF);
 }
 
-static bool report_content(Context *context, const SceneFile *file, Location where, const char *expected)
+static bool report_content(Context *context, const SceneFile *file, Location where,
+			   const char *expected)
 {
 	diag_error(context->diag, where, "'%s': expected %s", file->path, expected);
 	return false;
@@ -223,9 +231,11 @@ bool files_read(Context *context, SceneFile *file, Value *out, Location where)
 	if (c == EOF)
 		return false;
 	if (c == '<')
-		return read_vector(file->stream, out) || report_content(context, file, where, "a vector of 2 to 5 floats");
+		return read_vector(file->stream, out) ||
+		       report_content(context, file, where, "a vector of 2 to 5 floats");
 	if (c == '"')
-		return read_string(file->stream, context->parse, out) || report_content(context, file, where, "a closing quote");
+		return read_string(file->stream, context->parse, out) ||
+		       report_content(context, file, where, "a closing quote");
 	if (read_float(file->stream, &out->number))
 		return true;
 	getc(file->stream);
@@ -255,7 +265,9 @@ void files_write(Context *context, SceneFile *file, Value value, Location where)
 			fprintf(file->stream, "%c%g", i == 0 ? '<' : ',', value.v[i]);
 		fputs("> ", file->stream);
 	} else {
-		diag_error(context->diag, where, "'#write' takes strings, floats and vectors, found %s", value_describe(value));
+		diag_error(context->diag, where,
+			   "'#write' takes strings, floats and vectors, found %s",
+			   value_describe(value));
 	}
 }
 
@@ -268,9 +280,10 @@ struct FileInteger {
 const FileInteger *files_integer(Word word)
 {
 	static const FileInteger rows[] = {
-		{W_uint8, 1, false, false}, {W_sint8, 1, true, false}, {W_uint16be, 2, false, true},
-		{W_uint16le, 2, false, false}, {W_sint16be, 2, true, true}, {W_sint16le, 2, true, false},
-		{W_sint32be, 4, true, true}, {W_sint32le, 4, true, false},
+		{W_uint8, 1, false, false},   {W_sint8, 1, true, false},
+		{W_uint16be, 2, false, true}, {W_uint16le, 2, false, false},
+		{W_sint16be, 2, true, true},  {W_sint16le, 2, true, false},
+		{W_sint32be, 4, true, true},  {W_sint32le, 4, true, false},
 	};
 	for (size_t i = 0; i < sizeof rows / sizeof *rows; i++)
 		if (rows[i].word == word)
@@ -284,10 +297,12 @@ static void write_integer(FILE *stream, const FileInteger *format, double number
 	double low = format->is_signed ? -values / 2 : 0;
 	uint64_t bits = (uint64_t)(int64_t)floor(fmin(fmax(number, low), low + values - 1) + 0.5);
 	for (int i = 0; i < format->bytes; i++)
-		putc((int)(bits >> (8 * (format->big_endian ? format->bytes - 1 - i : i)) & 0xff), stream);
+		putc((int)(bits >> (8 * (format->big_endian ? format->bytes - 1 - i : i)) & 0xff),
+		     stream);
 }
 
-void files_write_integer(Context *context, SceneFile *file, const FileInteger *format, Value value, Location where)
+void files_write_integer(Context *context, SceneFile *file, const FileInteger *format, Value value,
+			 Location where)
 {
 	if (!may_be_written(context, file, where))
 		return;
@@ -297,7 +312,7 @@ void files_write_integer(Context *context, SceneFile *file, const FileInteger *f
 		for (int i = 0; i < value.size; i++)
 			write_integer(file->stream, format, value.v[i]);
 	} else {
-		diag_error(context->diag, where, "'%s' takes floats and vectors, found %s", word_text(format->word),
-		           value_describe(value));
+		diag_error(context->diag, where, "'%s' takes floats and vectors, found %s",
+			   word_text(format->word), value_describe(value));
 	}
 }

@@ -10,7 +10,8 @@
 #include "lang/spline.h"
 #include "surface/function_natives.h"
 
-/* One open function body. Names of arguments come first, those of open sums and products after them. */
+/* One open function body. Names of arguments come first, those of open sums and products after
+ * them. */
 struct FunctionScope {
 	struct FunctionScope *outer;
 	const char *names[FUNCTION_MAX_ARGUMENTS];
@@ -27,7 +28,8 @@ void function_open(Context *context, const char *const *parameters, int count)
 		count = 3;
 	}
 	if (count > FUNCTION_MAX_ARGUMENTS) {
-		diag_error(context->diag, (Location){0}, "a function takes at most %d arguments", FUNCTION_MAX_ARGUMENTS);
+		diag_error(context->diag, (Location){0}, "a function takes at most %d arguments",
+			   FUNCTION_MAX_ARGUMENTS);
 		count = FUNCTION_MAX_ARGUMENTS;
 	}
 	for (int i = 0; i < count; i++)
@@ -68,7 +70,8 @@ void function_loop_open(Context *context, const char *name, Location where)
 {
 	struct FunctionScope *scope = context->functions;
 	if (!scope) {
-		diag_error(context->diag, where, "sums and products can only be used in a function");
+		diag_error(context->diag, where,
+			   "sums and products can only be used in a function");
 	} else if (scope->count == FUNCTION_MAX_ARGUMENTS) {
 		diag_error(context->diag, where, "too many nested sums and products");
 		scope->excess++;
@@ -77,7 +80,8 @@ void function_loop_open(Context *context, const char *name, Location where)
 	}
 }
 
-Value function_loop_close(Context *context, Word word, const Value range[2], Value body, Location where)
+Value function_loop_close(Context *context, Word word, const Value range[2], Value body,
+			  Location where)
 {
 	struct FunctionScope *scope = context->functions;
 	if (!scope)
@@ -97,7 +101,8 @@ Value function_internal(Context *context, Value number, Location where)
 	int generator = context->builder->settings.noise_generator;
 	const Function *function = NULL;
 	if (number.kind == VALUE_FLOAT && number.number >= 0 && number.number < 1000)
-		function = function_internal_find(context->builder->arena, (int)number.number, generator);
+		function = function_internal_find(context->builder->arena, (int)number.number,
+						  generator);
 	if (function)
 		return value_item(VALUE_FUNCTION, function);
 	diag_error(context->diag, where, "no such internal function");
@@ -112,15 +117,18 @@ static Value define_expression(Context *context, Value body, int arity, Location
 		return body;
 	if (body.kind != VALUE_FLOAT && body.kind != VALUE_EXPRESSION) {
 		if (body.kind != VALUE_NONE)
-			diag_error(context->diag, where, "a function computes a float, found %s", value_describe(body));
+			diag_error(context->diag, where, "a function computes a float, found %s",
+				   value_describe(body));
 		return value_none();
 	}
 	const Expression *tree = expression_of(context->parse, body);
 	if (tree->kind == EXPRESSION_VECTOR) {
-		diag_error(context->diag, where, "a function computes a float: name a member of the vector function");
+		diag_error(context->diag, where,
+			   "a function computes a float: name a member of the vector function");
 		return value_none();
 	}
-	const Function *function = function_compile(tree, arity, context->parse, context->builder->arena);
+	const Function *function = function_compile(tree, arity, context->parse,
+						    context->builder->arena);
 	if (function)
 		return value_item(VALUE_FUNCTION, function);
 	diag_error(context->diag, where, "the function is too long");
@@ -138,7 +146,8 @@ static Value define_spline(Context *context, const Node *body)
 	if (spline.kind != VALUE_SPLINE)
 		return value_none();
 	VectorFunction function = {1, spline.spline->size, false, eval_spline, spline.spline};
-	return value_item(VALUE_VECTOR_FUNCTION, arena_copy(context->builder->arena, &function, sizeof function));
+	return value_item(VALUE_VECTOR_FUNCTION,
+			  arena_copy(context->builder->arena, &function, sizeof function));
 }
 
 static Value define_block(Context *context, const Node *body, Location where)
@@ -147,12 +156,15 @@ static Value define_block(Context *context, const Node *body, Location where)
 	switch (body->word) {
 	case W_pattern: {
 		const Pattern *pattern = build_pattern_block(context, body);
-		return pattern ? value_item(VALUE_FUNCTION, function_of_pattern(arena, pattern)) : value_none();
+		return pattern ? value_item(VALUE_FUNCTION, function_of_pattern(arena, pattern))
+			       : value_none();
 	}
 	case W_pigment: {
 		Value pigment = build_value(context, body);
-		return pigment.kind == VALUE_PIGMENT ?
-		       value_item(VALUE_VECTOR_FUNCTION, function_of_pigment(arena, pigment.item)) : value_none();
+		return pigment.kind == VALUE_PIGMENT
+			       ? value_item(VALUE_VECTOR_FUNCTION,
+					    function_of_pigment(arena, pigment.item))
+			       : value_none();
 	}
 	case W_transform: {
 		Transform transform = build_transform(context, body);
@@ -161,8 +173,10 @@ static Value define_block(Context *context, const Node *body, Location where)
 	case W_spline:
 		return define_spline(context, body);
 	default:
-		diag_error(context->diag, where, "expected an expression, a pigment, a pattern, a transform or a spline, found '%s'",
-		           word_text(body->word));
+		diag_error(
+			context->diag, where,
+			"expected an expression, a pigment, a pattern, a transform or a spline, found '%s'",
+			word_text(body->word));
 		return value_none();
 	}
 }
@@ -208,7 +222,8 @@ static Value as_callee(Context *context, Value callee)
 	if (callee.kind != VALUE_SPLINE)
 		return callee;
 	VectorFunction function = {1, callee.spline->size, false, eval_spline, callee.spline};
-	return value_item(VALUE_VECTOR_FUNCTION, arena_copy(context->builder->arena, &function, sizeof function));
+	return value_item(VALUE_VECTOR_FUNCTION,
+			  arena_copy(context->builder->arena, &function, sizeof function));
 }
 
 static int callee_arity(Value callee)
@@ -236,13 +251,15 @@ Value expression_apply(Context *context, Value callee, const Value *args, int co
 		return value_float(0);
 	}
 	if (arity != count) {
-		diag_error(context->diag, where, "this function takes %d argument%s, not %d", arity, arity == 1 ? "" : "s", count);
+		diag_error(context->diag, where, "this function takes %d argument%s, not %d", arity,
+			   arity == 1 ? "" : "s", count);
 		return value_float(0);
 	}
 	for (int i = 0; i < count; i++) {
 		trees += args[i].kind == VALUE_EXPRESSION;
 		if (args[i].kind != VALUE_EXPRESSION && args[i].kind != VALUE_FLOAT) {
-			diag_error(context->diag, where, "argument %d must be a float, found %s", i + 1, value_describe(args[i]));
+			diag_error(context->diag, where, "argument %d must be a float, found %s",
+				   i + 1, value_describe(args[i]));
 			return value_float(0);
 		}
 	}
@@ -250,10 +267,12 @@ Value expression_apply(Context *context, Value callee, const Value *args, int co
 		diag_warning(context->diag, where, "this internal function is only approximated");
 	if (trees) {
 		bool vector = callee.kind != VALUE_FUNCTION;
-		Expression root = {.kind = vector ? EXPRESSION_VECTOR : EXPRESSION_FUNCTION, .callee = as_callee(context, callee)};
+		Expression root = {.kind = vector ? EXPRESSION_VECTOR : EXPRESSION_FUNCTION,
+				   .callee = as_callee(context, callee)};
 		return expression_tree(context, root, args, count, where);
 	}
 	if (callee.kind == VALUE_FUNCTION)
 		return apply_function(callee.item, args, count);
-	return callee.kind == VALUE_SPLINE ? apply_spline(callee.spline, args[0].number) : apply_vector(callee.item, args, count);
+	return callee.kind == VALUE_SPLINE ? apply_spline(callee.spline, args[0].number)
+					   : apply_vector(callee.item, args, count);
 }

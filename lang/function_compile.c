@@ -9,7 +9,8 @@ typedef struct Compiler {
 	FunctionValue variables[FUNCTION_MAX_ARGUMENTS];
 } Compiler;
 
-/* Ways of a select() that cost no more than this together are both computed: a jump costs as much. */
+/* Ways of a select() that cost no more than this together are both computed: a jump costs as much.
+ */
 enum { PICK_LIMIT = 6 };
 
 static FunctionValue compile(Compiler *compiler, const Expression *e);
@@ -33,16 +34,26 @@ static FunctionValue compile_unary(Compiler *compiler, const Expression *e)
 static FunctionValue compile_binary(Compiler *compiler, const Expression *e)
 {
 	static const Opcode codes[] = {
-		[OP_ADD] = CODE_ADD, [OP_SUB] = CODE_SUB, [OP_MUL] = CODE_MUL, [OP_DIV] = CODE_DIV, [OP_LESS] = CODE_LESS,
-		[OP_LESS_EQUAL] = CODE_LESS_EQUAL, [OP_EQUAL] = CODE_EQUAL, [OP_NOT_EQUAL] = CODE_NOT_EQUAL,
-		[OP_GREATER_EQUAL] = CODE_LESS_EQUAL, [OP_GREATER] = CODE_LESS, [OP_AND] = CODE_AND, [OP_OR] = CODE_OR,
+		[OP_ADD] = CODE_ADD,
+		[OP_SUB] = CODE_SUB,
+		[OP_MUL] = CODE_MUL,
+		[OP_DIV] = CODE_DIV,
+		[OP_LESS] = CODE_LESS,
+		[OP_LESS_EQUAL] = CODE_LESS_EQUAL,
+		[OP_EQUAL] = CODE_EQUAL,
+		[OP_NOT_EQUAL] = CODE_NOT_EQUAL,
+		[OP_GREATER_EQUAL] = CODE_LESS_EQUAL,
+		[OP_GREATER] = CODE_LESS,
+		[OP_AND] = CODE_AND,
+		[OP_OR] = CODE_OR,
 	};
 	FunctionValue a = compile(compiler, e->parts[0]), b = compile(compiler, e->parts[1]);
 	bool swapped = e->op == OP_GREATER_EQUAL || e->op == OP_GREATER;
 	return program_operation(compiler->program, codes[e->op], swapped ? b : a, swapped ? a : b);
 }
 
-static FunctionValue compile_branch(Compiler *compiler, Opcode op, FunctionValue test, const Expression *const ways[2])
+static FunctionValue compile_branch(Compiler *compiler, Opcode op, FunctionValue test,
+				    const Expression *const ways[2])
 {
 	FunctionBranch branch = program_if(compiler->program, op, test);
 	program_else(compiler->program, &branch, compile(compiler, ways[0]));
@@ -50,17 +61,21 @@ static FunctionValue compile_branch(Compiler *compiler, Opcode op, FunctionValue
 }
 
 /* ways[0] where test < 0 (or == 0), else ways[1]. */
-static FunctionValue compile_choice(Compiler *compiler, bool zero, FunctionValue test, const Expression *const ways[2])
+static FunctionValue compile_choice(Compiler *compiler, bool zero, FunctionValue test,
+				    const Expression *const ways[2])
 {
 	if (test.constant)
 		return compile(compiler, ways[(zero ? test.k == 0 : test.k < 0) ? 0 : 1]);
 	if (tree_cost(ways[0]) + tree_cost(ways[1]) > PICK_LIMIT)
-		return compile_branch(compiler, zero ? CODE_JUMP_NOT_ZERO : CODE_JUMP_NOT_NEGATIVE, test, ways);
+		return compile_branch(compiler, zero ? CODE_JUMP_NOT_ZERO : CODE_JUMP_NOT_NEGATIVE,
+				      test, ways);
 	FunctionValue yes = compile(compiler, ways[0]), no = compile(compiler, ways[1]);
-	return program_pick(compiler->program, zero ? CODE_PICK_ZERO : CODE_PICK_NEGATIVE, test, yes, no);
+	return program_pick(compiler->program, zero ? CODE_PICK_ZERO : CODE_PICK_NEGATIVE, test,
+			    yes, no);
 }
 
-/* The last two of select's four arguments depend on whether the first is 0: a choice within a choice. */
+/* The last two of select's four arguments depend on whether the first is 0: a choice within a
+ * choice. */
 static FunctionValue compile_select(Compiler *compiler, const Expression *e)
 {
 	FunctionValue test = compile(compiler, e->parts[0]);
@@ -128,7 +143,8 @@ static FunctionValue compile_call(Compiler *compiler, const Expression *e)
 	if (e->part_count == 1)
 		return program_operation(program, opcode_of(e->word), a, a);
 	for (int i = 1; i < e->part_count; i++)
-		a = program_operation(program, opcode_of(e->word), a, compile(compiler, e->parts[i]));
+		a = program_operation(program, opcode_of(e->word), a,
+				      compile(compiler, e->parts[i]));
 	return a;
 }
 
@@ -144,13 +160,15 @@ static FunctionValue compile_component(Compiler *compiler, const Expression *e)
 {
 	FunctionProgram *program = compiler->program;
 	const Expression *vector = e->parts[0];
-	FunctionValue row = program_vector_call(program, vector->callee.item, compile_parts(compiler, vector));
+	FunctionValue row = program_vector_call(program, vector->callee.item,
+						compile_parts(compiler, vector));
 	if (e->number < 5)
 		return program_component(row, e->number);
 	const double weights[3] = {0.297, 0.589, 0.114};
 	FunctionValue gray = program_constant(0);
 	for (int c = 0; c < 3; c++) {
-		FunctionValue part = program_operation(program, CODE_MUL, program_component(row, c), program_constant(weights[c]));
+		FunctionValue part = program_operation(program, CODE_MUL, program_component(row, c),
+						       program_constant(weights[c]));
 		gray = program_operation(program, CODE_ADD, gray, part);
 	}
 	return gray;
@@ -176,7 +194,8 @@ static FunctionValue compile(Compiler *compiler, const Expression *e)
 	case EXPRESSION_BINARY: return compile_binary(compiler, e);
 	case EXPRESSION_CONDITIONAL: return compile_conditional(compiler, e);
 	case EXPRESSION_CALL: return compile_call(compiler, e);
-	case EXPRESSION_FUNCTION: return program_call(compiler->program, e->callee.item, compile_parts(compiler, e));
+	case EXPRESSION_FUNCTION:
+		return program_call(compiler->program, e->callee.item, compile_parts(compiler, e));
 	case EXPRESSION_COMPONENT: return compile_component(compiler, e);
 	case EXPRESSION_LOOP: return compile_loop(compiler, e);
 	default: return program_constant(0);

@@ -5,7 +5,8 @@
 #include "lang/expression_tree.h"
 #include "surface/function.h"
 
-/* scratch is left as it was; the function lives in the arena. NULL when the program would be too long. */
+/* scratch is left as it was; the function lives in the arena. NULL when the program would be too
+ * long. */
 const Function *function_compile(const Expression *body, int arity, Arena *scratch, Arena *arena);
 
 #endif

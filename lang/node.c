@@ -10,8 +10,11 @@ static void print_value(FILE *out, Value value)
 	else if (count == 0)
 		fprintf(out, "{%s}", value_describe(value));
 	for (int i = 0; i < count; i++)
-		fprintf(out, "%s%g%s", i ? "," : value.kind == VALUE_COLOR ? "color<" : "<", value.v[i],
-		        i + 1 == count ? ">" : "");
+		fprintf(out, "%s%g%s",
+			i                           ? ","
+			: value.kind == VALUE_COLOR ? "color<"
+						    : "<",
+			value.v[i], i + 1 == count ? ">" : "");
 }
 
 static void print_one(FILE *out, const Node *node)

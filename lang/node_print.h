@@ -1,4 +1,5 @@
-/* Trees as text, for tests and for those who wonder: (sphere <0,1,0> 2 (texture {a texture}) hollow). */
+/* Trees as text, for tests and for those who wonder: (sphere <0,1,0> 2 (texture {a texture})
+ * hollow). */
 #ifndef LANG_NODE_PRINT_H
 #define LANG_NODE_PRINT_H
 

@@ -2,10 +2,10 @@
  * Four kinds of interpolation, by components, as POV-Ray gives them (measured):
  *
  *     linear     between neighbours;
- *     quadratic  the parabola through the ends of the interval and the point before it (the first interval: after it);
- *     cubic      Hermite's cubic whose tangents are the mean of the two secants' slopes at a point; it is defined between the
- *                second and the last point but one only;
- *     natural    the cubic with continuous second derivative, which is 0 at both ends.
+ *     quadratic  the parabola through the ends of the interval and the point before it (the first
+ * interval: after it); cubic      Hermite's cubic whose tangents are the mean of the two secants'
+ * slopes at a point; it is defined between the second and the last point but one only; natural the
+ * cubic with continuous second derivative, which is 0 at both ends.
  *
  * Outside its range every spline keeps the value at that end.
  */
@@ -40,7 +40,8 @@ static double quadratic_value(const SplinePoint *p, double at, int k)
 {
 	double a = at - p[0].at, b = at - p[1].at, c = at - p[2].at;
 	double ab = p[0].at - p[1].at, bc = p[1].at - p[2].at, ac = p[0].at - p[2].at;
-	return p[0].value[k] * b * c / (ab * ac) - p[1].value[k] * a * c / (ab * bc) + p[2].value[k] * a * b / (ac * bc);
+	return p[0].value[k] * b * c / (ab * ac) - p[1].value[k] * a * c / (ab * bc) +
+	       p[2].value[k] * a * b / (ac * bc);
 }
 
 static double secant(const SplinePoint *p, int k)
@@ -52,9 +53,11 @@ static double secant(const SplinePoint *p, int k)
 static double cubic_value(const SplinePoint *p, double at, int k)
 {
 	double h = p[1].at - p[0].at, s = (at - p[0].at) / h;
-	double start = h * (secant(p - 1, k) + secant(p, k)) / 2, end = h * (secant(p, k) + secant(p + 1, k)) / 2;
+	double start = h * (secant(p - 1, k) + secant(p, k)) / 2,
+	       end = h * (secant(p, k) + secant(p + 1, k)) / 2;
 	double rise = p[1].value[k] - p[0].value[k];
-	return p[0].value[k] + s * (start + s * (3 * rise - 2 * start - end + s * (start + end - 2 * rise)));
+	return p[0].value[k] +
+	       s * (start + s * (3 * rise - 2 * start - end + s * (start + end - 2 * rise)));
 }
 
 static double natural_value(const SplinePoint *p, double at, int k)
@@ -69,7 +72,8 @@ static double interval_value(const Spline *spline, int i, double at, int k)
 	const SplinePoint *p = &spline->points[i];
 	switch (spline->kind) {
 	case SPLINE_QUADRATIC:
-		return spline->count < 3 ? linear_value(p, at, k) : quadratic_value(i > 0 ? p - 1 : p, at, k);
+		return spline->count < 3 ? linear_value(p, at, k)
+					 : quadratic_value(i > 0 ? p - 1 : p, at, k);
 	case SPLINE_CUBIC:
 		return cubic_value(p, at, k);
 	case SPLINE_NATURAL:
@@ -87,13 +91,18 @@ void spline_eval(const Spline *spline, double at, double out[5])
 		last = last > 1 ? last - 1 : last;
 	}
 	const SplinePoint *points = spline->points;
-	const SplinePoint *end = !(at > points[first].at) ? &points[first] : at >= points[last].at ? &points[last] : NULL;
+	const SplinePoint *end = !(at > points[first].at) ? &points[first]
+				 : at >= points[last].at  ? &points[last]
+							  : NULL;
 	int i = end ? 0 : interval_of(spline, at);
 	for (int k = 0; k < 5; k++)
-		out[k] = k >= spline->size ? 0 : end ? end->value[k] : interval_value(spline, i, at, k);
+		out[k] = k >= spline->size ? 0
+			 : end             ? end->value[k]
+					   : interval_value(spline, i, at, k);
 }
 
-/* Second derivatives of the natural spline: a tridiagonal system, 0 at both ends, solved forward and back. */
+/* Second derivatives of the natural spline: a tridiagonal system, 0 at both ends, solved forward
+ * and back. */
 static void solve_natural(SplinePoint *p, int count, int k, double *factor)
 {
 	p[0].second[k] = factor[0] = 0;
@@ -101,7 +110,9 @@ static void solve_natural(SplinePoint *p, int count, int k, double *factor)
 		double before = p[i].at - p[i - 1].at, after = p[i + 1].at - p[i].at;
 		double pivot = 2 * (before + after) - before * factor[i - 1];
 		factor[i] = after / pivot;
-		p[i].second[k] = (6 * (secant(&p[i], k) - secant(&p[i - 1], k)) - before * p[i - 1].second[k]) / pivot;
+		p[i].second[k] = (6 * (secant(&p[i], k) - secant(&p[i - 1], k)) -
+				  before * p[i - 1].second[k]) /
+				 pivot;
 	}
 	p[count - 1].second[k] = 0;
 	for (int i = count - 2; i > 0; i--)
@@ -121,7 +132,8 @@ static void draft_add(SplineDraft *draft, SplinePoint point)
 {
 	if (draft->count == draft->capacity) {
 		draft->capacity = draft->capacity ? draft->capacity * 2 : 8;
-		SplinePoint *points = ARENA_ARRAY(draft->context->parse, SplinePoint, draft->capacity);
+		SplinePoint *points = ARENA_ARRAY(draft->context->parse, SplinePoint,
+						  draft->capacity);
 		for (int i = 0; i < draft->count; i++)
 			points[i] = draft->points[i];
 		draft->points = points;
@@ -131,7 +143,8 @@ static void draft_add(SplineDraft *draft, SplinePoint point)
 		at--;
 	if (at > 0 && draft->points[at - 1].at == point.at)
 		return;
-	memmove(&draft->points[at + 1], &draft->points[at], sizeof point * (size_t)(draft->count - at));
+	memmove(&draft->points[at + 1], &draft->points[at],
+		sizeof point * (size_t)(draft->count - at));
 	draft->points[at] = point;
 	draft->count++;
 }
@@ -196,7 +209,8 @@ static const Spline *draft_finish(SplineDraft *draft)
 	spline->kind = draft->kind;
 	spline->size = draft->size;
 	spline->count = draft->count;
-	spline->points = arena_copy(arena, draft->points, sizeof *draft->points * (size_t)draft->count);
+	spline->points = arena_copy(arena, draft->points,
+				    sizeof *draft->points * (size_t)draft->count);
 	return spline;
 }
 

@@ -64,7 +64,8 @@ void symbols_push(SymbolTable *table)
 {
 	if (++table->depth == table->capacity) {
 		table->capacity *= 2;
-		table->scopes = memory_resize(table->scopes, (size_t)table->capacity * sizeof(Symbol *));
+		table->scopes = memory_resize(table->scopes,
+					      (size_t)table->capacity * sizeof(Symbol *));
 	}
 	table->scopes[table->depth] = NULL;
 }
@@ -103,7 +104,8 @@ static void rehash(SymbolTable *table)
 static Name *find_name(const SymbolTable *table, const char *text, size_t length, unsigned hash)
 {
 	Name *name = table->buckets[hash & (table->bucket_count - 1)];
-	while (name && (name->hash != hash || name->length != length || memcmp(name->text, text, length) != 0))
+	while (name && (name->hash != hash || name->length != length ||
+			memcmp(name->text, text, length) != 0))
 		name = name->next_in_bucket;
 	return name;
 }
@@ -139,7 +141,8 @@ static Symbol *add_symbol(SymbolTable *table, Name *name, int depth)
 		table->unused = symbol->next;
 	else
 		symbol = ARENA_NEW(table->arena, Symbol);
-	*symbol = (Symbol){.name = name, .depth = depth, .outer = name->symbol, .next = table->scopes[depth]};
+	*symbol = (Symbol){
+		.name = name, .depth = depth, .outer = name->symbol, .next = table->scopes[depth]};
 	table->scopes[depth] = symbol;
 	name->symbol = symbol;
 	return symbol;

@@ -1,10 +1,11 @@
 /*
- * Identifiers and their values: one global scope and a stack of local ones (a macro call, an included file). Every spelling
- * is interned once as a Name, which knows its reserved word and its innermost symbol, so that a look-up from a scanned token
- * hashes nothing. Names and symbols live in the arena given.
+ * Identifiers and their values: one global scope and a stack of local ones (a macro call, an
+ * included file). Every spelling is interned once as a Name, which knows its reserved word and its
+ * innermost symbol, so that a look-up from a scanned token hashes nothing. Names and symbols live
+ * in the arena given.
  *
- * As in POV-Ray, `#declare` gives a new value to the innermost symbol of that name wherever it stands and makes a global one
- * when there is none; `#local` does so in the innermost scope only.
+ * As in POV-Ray, `#declare` gives a new value to the innermost symbol of that name wherever it
+ * stands and makes a global one when there is none; `#local` does so in the innermost scope only.
  */
 #ifndef LANG_SYMBOL_H
 #define LANG_SYMBOL_H
@@ -29,7 +30,8 @@ typedef struct Name {
 struct Symbol {
 	Name *name;
 	Value value;
-	Value *reference;    /* of a macro's parameter: the caller's variable or array element; or NULL */
+	Value *reference; /* of a macro's parameter: the caller's variable or array element; or NULL
+			   */
 	Location declared;
 	bool deprecated;     /* `#declare deprecated`: every use warns, with message */
 	bool poisoned;       /* its declaration had a reported mistake: uses are silent */
@@ -50,7 +52,8 @@ int symbols_depth(const SymbolTable *table); /* 0: only the global scope */
 Name *symbols_intern(SymbolTable *table, const char *text, size_t length);
 /* NULL when nothing has that name. */
 Symbol *symbols_find(SymbolTable *table, const char *name, size_t length);
-/* Gives the name a value, over an older one as said above; through a reference to what it stands for. */
+/* Gives the name a value, over an older one as said above; through a reference to what it stands
+ * for. */
 Symbol *symbols_declare(SymbolTable *table, Name *name, Value value, bool local);
 /* Makes a symbol of the innermost scope that stands for *reference. */
 Symbol *symbols_refer(SymbolTable *table, Name *name, Value *reference);

@@ -1,6 +1,7 @@
 /*
- * The reserved words of the scene language. lang/words.def has a row for each: its text and its class for the scanner. A word
- * is known to the scanner by its spelling, to the builders by its number.
+ * The reserved words of the scene language. lang/words.def has a row for each: its text and its
+ * class for the scanner. A word is known to the scanner by its spelling, to the builders by its
+ * number.
  */
 #ifndef LANG_WORD_H
 #define LANG_WORD_H
@@ -10,12 +11,14 @@
 
 /* What a word is to the grammar. */
 typedef enum WordClass {
-	WORD_PLAIN,     /* an item's word: with or without braces: sphere, hollow, translate */
-	WORD_FUNCTION,  /* a built-in function of expressions: sin, vcross, concat, dimension_size */
-	WORD_CONSTANT,  /* stands for a value in expressions: x, pi, yes, clock, image_width */
-	WORD_COLOR,     /* part of a colour expression: rgb, rgbft, color, red, filter */
-	WORD_DIRECTIVE, /* only after #: declare, macro, while... (some are plain words as well: default) */
-	WORD_EXTENSION, /* a plain word after `#version unofficial cognac`, an ordinary identifier without */
+	WORD_PLAIN, /* an item's word: with or without braces: sphere, hollow, translate */
+	WORD_FUNCTION, /* a built-in function of expressions: sin, vcross, concat, dimension_size */
+	WORD_CONSTANT, /* stands for a value in expressions: x, pi, yes, clock, image_width */
+	WORD_COLOR, /* part of a colour expression: rgb, rgbft, color, red, filter */
+	WORD_DIRECTIVE, /* only after #: declare, macro, while... (some are plain words as well:
+			   default) */
+	WORD_EXTENSION, /* a plain word after `#version unofficial cognac`, an ordinary identifier
+			   without */
 } WordClass;
 
 typedef enum Word {

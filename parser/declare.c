@@ -24,7 +24,12 @@ typedef struct Deprecation {
 static bool can_declare(const Reader *reader, const Name *name)
 {
 	switch (name->word) {
-	case W_NONE: case W_image_width: case W_image_height: case W_frame_number: case W_clock_delta: case W_initial_clock:
+	case W_NONE:
+	case W_image_width:
+	case W_image_height:
+	case W_frame_number:
+	case W_clock_delta:
+	case W_initial_clock:
 	case W_final_clock: case W_initial_frame: case W_final_frame:
 		return true;
 	default:
@@ -43,13 +48,15 @@ static bool read_element(Reader *reader, Target *target)
 	double subscripts[8];
 	Value *held = target->name->symbol ? symbol_value(target->name->symbol) : NULL;
 	if (!held || held->kind != VALUE_ARRAY) {
-		diag_error(reader->context.diag, target->where, "'%s' is no array", target->name->text);
+		diag_error(reader->context.diag, target->where, "'%s' is no array",
+			   target->name->text);
 		return false;
 	}
 	target->array = held->array;
 	int count = identifier_subscripts(reader, subscripts);
 	if (count > 0)
-		target->element = array_element(&reader->context, target->array, subscripts, count, target->where);
+		target->element = array_element(&reader->context, target->array, subscripts, count,
+						target->where);
 	return target->element != NULL;
 }
 
@@ -61,8 +68,8 @@ static bool read_target(Reader *reader, Target *target)
 	if (!target->name)
 		return false;
 	if (!can_declare(reader, target->name)) {
-		diag_error(reader->context.diag, target->where, "'%s' is a reserved word and cannot be declared",
-		           target->name->text);
+		diag_error(reader->context.diag, target->where,
+			   "'%s' is a reserved word and cannot be declared", target->name->text);
 		return false;
 	}
 	return !next_is(reader, '[') || read_element(reader, target);
@@ -126,7 +133,8 @@ static bool accept_semicolon(Reader *reader)
 /* Runs what is left of the macros that gave the frame's value. */
 static void drain_macros(Reader *reader, const Frame *frame)
 {
-	while (!reader->has_ahead && reader->source_count > frame->source_depth && !reader->stopped) {
+	while (!reader->has_ahead && reader->source_count > frame->source_depth &&
+	       !reader->stopped) {
 		Source *source = source_top(reader);
 		const Token *next = source_peek(reader, 0);
 		if (!next) {
@@ -171,12 +179,14 @@ static void declare(Reader *reader, const Target *target, Deprecation deprecatio
 {
 	Frame frame;
 	Location where = source_here(reader);
-	bool good = frame_parse(reader, S_VALUE, FRAME_ENDS_AT_DECLARE, &frame) && frame.value.kind != VALUE_NONE;
+	bool good = frame_parse(reader, S_VALUE, FRAME_ENDS_AT_DECLARE, &frame) &&
+		    frame.value.kind != VALUE_NONE;
 	if (!good && frame.value.kind == VALUE_NONE)
 		declare_skip(reader);
-	else if (!declare_end(reader, &frame) && value_is_numeric(frame.value) && reader->context.version >= 3.5 &&
-	         !reader->stopped)
-		diag_warning(reader->context.diag, where, "no ';' after the value of '%s'", target->name->text);
+	else if (!declare_end(reader, &frame) && value_is_numeric(frame.value) &&
+		 reader->context.version >= 3.5 && !reader->stopped)
+		diag_warning(reader->context.diag, where, "no ';' after the value of '%s'",
+			     target->name->text);
 	Symbol *symbol = assign(reader, target, good ? frame.value : value_none());
 	if (symbol) {
 		symbol->deprecated = deprecation.deprecated;

@@ -1,5 +1,6 @@
 /*
- * Directives: conditions and loops are jumps within a source's tokens (link.h); the others are in files of their own.
+ * Directives: conditions and loops are jumps within a source's tokens (link.h); the others are in
+ * files of their own.
  */
 #include <math.h>
 #include <string.h>
@@ -82,7 +83,8 @@ static void push_loop(Reader *reader, Loop loop)
 {
 	if (reader->loop_count == reader->loop_capacity) {
 		reader->loop_capacity = reader->loop_capacity ? 2 * reader->loop_capacity : 16;
-		reader->loops = memory_resize(reader->loops, (size_t)reader->loop_capacity * sizeof(Loop));
+		reader->loops = memory_resize(reader->loops,
+					      (size_t)reader->loop_capacity * sizeof(Loop));
 	}
 	reader->loops[reader->loop_count++] = loop;
 }
@@ -91,7 +93,8 @@ static void push_loop(Reader *reader, Loop loop)
 static bool read_loop(Reader *reader, Loop *loop, double *from)
 {
 	Frame frame;
-	if (!source_take_sign(reader, '(', "#for") || !(loop->name = source_take_name(reader, "a variable's name")) ||
+	if (!source_take_sign(reader, '(', "#for") ||
+	    !(loop->name = source_take_name(reader, "a variable's name")) ||
 	    !source_take_sign(reader, ',', "the variable"))
 		return false;
 	Location where = source_here(reader);
@@ -103,7 +106,8 @@ static bool read_loop(Reader *reader, Loop *loop, double *from)
 	for (int i = 0; i < frame.run.count; i++)
 		numeric = numeric && value_is_numeric(values[i]);
 	if (frame.run.count < 2 || frame.run.count > 3 || !numeric) {
-		diag_error(reader->context.diag, where, "#for takes a variable, a first and a last value and a step");
+		diag_error(reader->context.diag, where,
+			   "#for takes a variable, a first and a last value and a step");
 		return false;
 	}
 	*from = value_to_float(values[0]);
@@ -125,7 +129,8 @@ static void run_for(Reader *reader, const Token *token, Location where)
 	} else if (!read_loop(reader, &loop, &from)) {
 		source_jump(reader, token->link.end + 1);
 	} else {
-		symbols_declare(reader->symbols, loop.name, value_float(from), true)->declared = where;
+		symbols_declare(reader->symbols, loop.name, value_float(from), true)
+			->declared = where;
 		loop.body = source_top(reader)->position;
 		if (loop_is_over(&loop, from))
 			source_jump(reader, token->link.end + 1);
@@ -142,7 +147,8 @@ static void repeat_for(Reader *reader, uint32_t opener, Location where)
 		return;
 	Value *value = loop->name->symbol ? symbol_value(loop->name->symbol) : NULL;
 	if (!value || value->kind != VALUE_FLOAT) {
-		diag_error(reader->context.diag, where, "the variable '%s' of #for is no float any more", loop->name->text);
+		diag_error(reader->context.diag, where,
+			   "the variable '%s' of #for is no float any more", loop->name->text);
 		reader->loop_count--;
 		return;
 	}
@@ -157,7 +163,8 @@ static void run_end(Reader *reader, const Token *token, Location where)
 {
 	uint32_t opener = token->link.next;
 	if (opener == LINK_NONE) {
-		diag_error(reader->context.diag, where, "#end without #if, #while, #for, #switch or #macro");
+		diag_error(reader->context.diag, where,
+			   "#end without #if, #while, #for, #switch or #macro");
 		return;
 	}
 	Word word = (Word)source_top(reader)->file->tokens[opener].code;
@@ -180,11 +187,13 @@ static void run_break(Reader *reader, const Token *token, Location where)
 {
 	uint32_t opener = token->link.next;
 	if (opener == LINK_NONE) {
-		report_unpaired(reader, "break", "#switch, #while, #for or #macro around it", where);
+		report_unpaired(reader, "break", "#switch, #while, #for or #macro around it",
+				where);
 		return;
 	}
 	const Token *left = &source_top(reader)->file->tokens[opener];
-	if (left->code == W_for && reader->loop_count > 0 && reader->loops[reader->loop_count - 1].opener == opener)
+	if (left->code == W_for && reader->loop_count > 0 &&
+	    reader->loops[reader->loop_count - 1].opener == opener)
 		reader->loop_count--;
 	if (left->code == W_macro)
 		source_jump(reader, LINK_NONE);
@@ -197,15 +206,18 @@ static bool case_holds(Reader *reader, Word word, double value, bool *good)
 {
 	Frame frame;
 	Location where = source_here(reader);
-	*good = source_take_sign(reader, '(', word == W_case ? "#case" : "#range") && frame_arguments(reader, &frame);
+	*good = source_take_sign(reader, '(', word == W_case ? "#case" : "#range") &&
+		frame_arguments(reader, &frame);
 	if (!*good)
 		return false;
 	const Value *values = reader->values + frame.run.start;
 	reader->value_count = frame.run.start;
 	int expected = word == W_case ? 1 : 2;
-	*good = frame.run.count == expected && value_is_numeric(values[0]) && value_is_numeric(values[expected - 1]);
+	*good = frame.run.count == expected && value_is_numeric(values[0]) &&
+		value_is_numeric(values[expected - 1]);
 	if (!*good) {
-		diag_error(reader->context.diag, where, word == W_case ? "#case takes a float" : "#range takes two floats");
+		diag_error(reader->context.diag, where,
+			   word == W_case ? "#case takes a float" : "#range takes two floats");
 		return false;
 	}
 	double low = value_to_float(values[0]), high = value_to_float(values[expected - 1]);
@@ -220,7 +232,8 @@ static void choose_case(Reader *reader, const Token *token, double value)
 	bool good = true;
 	for (uint32_t next = token->link.next; good; next = tokens[next].link.next) {
 		source_jump(reader, next + 1);
-		if (next == end || tokens[next].code == W_else || case_holds(reader, (Word)tokens[next].code, value, &good))
+		if (next == end || tokens[next].code == W_else ||
+		    case_holds(reader, (Word)tokens[next].code, value, &good))
 			return;
 	}
 	source_jump(reader, end + 1);
@@ -256,7 +269,8 @@ static void run_unofficial(Reader *reader, Location where)
 {
 	const Token *name = source_peek(reader, 0);
 	if (!name || name->kind != TOKEN_NAME || strcmp(name->name->text, "cognac") != 0) {
-		diag_error(reader->context.diag, where, "this scene is written for another unofficial version of POV-Ray");
+		diag_error(reader->context.diag, where,
+			   "this scene is written for another unofficial version of POV-Ray");
 		reader->stopped = true;
 		return;
 	}
@@ -268,8 +282,9 @@ static void run_unofficial(Reader *reader, Location where)
 static void set_version(Reader *reader, double version, Location where)
 {
 	if (version > NEWEST_VERSION)
-		diag_warning(reader->context.diag, where, "version %g of the language is newer than %g, the newest known here",
-		             version, NEWEST_VERSION);
+		diag_warning(reader->context.diag, where,
+			     "version %g of the language is newer than %g, the newest known here",
+			     version, NEWEST_VERSION);
 	reader->context.version = reader->context.builder->settings.version = version;
 }
 
@@ -278,7 +293,8 @@ static void run_version(Reader *reader)
 	Frame frame;
 	const Token *first = source_peek(reader, 0);
 	Location where = source_here(reader);
-	bool unofficial = first && first->kind == TOKEN_NAME && strcmp(first->name->text, "unofficial") == 0;
+	bool unofficial = first && first->kind == TOKEN_NAME &&
+			  strcmp(first->name->text, "unofficial") == 0;
 	if (unofficial) {
 		source_top(reader)->position++;
 		run_unofficial(reader, where);
@@ -297,9 +313,11 @@ static void run_version(Reader *reader)
 static void run_unknown(Reader *reader, const Token *token, Location where)
 {
 	const char *text = source_top(reader)->file->text + token->offset + 1;
-	static const char letters[] = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ_0123456789";
+	static const char letters[] =
+		"abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ_0123456789";
 	text += strspn(text, " \t\r\n");
-	diag_error(reader->context.diag, where, "unknown directive '#%.*s'", (int)strspn(text, letters), text);
+	diag_error(reader->context.diag, where, "unknown directive '#%.*s'",
+		   (int)strspn(text, letters), text);
 	declare_skip(reader);
 }
 

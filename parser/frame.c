@@ -1,4 +1,5 @@
-/* Calls of the grammar from directives and from the reader, and what happens after a syntax error. */
+/* Calls of the grammar from directives and from the reader, and what happens after a syntax error.
+ */
 #include <string.h>
 
 #include "lang/function.h"
@@ -35,7 +36,8 @@ bool frame_parse(Reader *reader, int start, FrameEnd ends, Frame *frame)
 {
 	if (reader->frame_depth >= FRAME_DEPTH_LIMIT) {
 		diag_error(reader->context.diag, source_here(reader),
-		           "directives are nested more than %d deep: endless recursion?", (int)FRAME_DEPTH_LIMIT);
+			   "directives are nested more than %d deep: endless recursion?",
+			   (int)FRAME_DEPTH_LIMIT);
 		reader->stopped = true;
 		*frame = (Frame){.failed = true};
 		return false;
@@ -60,7 +62,8 @@ bool frame_string(Reader *reader, const char **out)
 	if (!frame_parse(reader, S_STRING, FRAME_ENDS_AT_DIRECTIVE, &frame))
 		return false;
 	if (frame.value.kind != VALUE_STRING) {
-		diag_error(reader->context.diag, where, "expected a string, found %s", value_describe(frame.value));
+		diag_error(reader->context.diag, where, "expected a string, found %s",
+			   value_describe(frame.value));
 		return false;
 	}
 	*out = frame.value.string;
@@ -80,7 +83,8 @@ bool frame_condition(Reader *reader, bool *out)
 	if (!frame_parse(reader, S_CONDITION, FRAME_RUNS_ON, &frame))
 		return false;
 	if (!value_is_numeric(frame.value)) {
-		diag_error(reader->context.diag, where, "expected a condition, found %s", value_describe(frame.value));
+		diag_error(reader->context.diag, where, "expected a condition, found %s",
+			   value_describe(frame.value));
 		return false;
 	}
 	*out = value_to_float(frame.value) != 0;
@@ -90,7 +94,8 @@ bool frame_condition(Reader *reader, bool *out)
 /* The text of the token at a place: a name, a number or a sign. */
 static const char *token_text(Reader *reader, Location where)
 {
-	static const char letters[] = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ_0123456789";
+	static const char letters[] =
+		"abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ_0123456789";
 	for (const TokenFile *file = reader->files; file; file = file->next) {
 		if (file->source != where.source || where.offset >= file->length)
 			continue;
@@ -106,7 +111,8 @@ static void report_end(Reader *reader, Location where)
 	const Token *next = source_peek(reader, 0);
 	Diag *diag = reader->context.diag;
 	if (reader->brace_count > reader->frame->brace_count)
-		diag_error(diag, reader->braces[reader->brace_count - 1], "the block that begins here is never closed");
+		diag_error(diag, reader->braces[reader->brace_count - 1],
+			   "the block that begins here is never closed");
 	else if (next && next->kind == TOKEN_DIRECTIVE)
 		diag_error(diag, where, "unexpected directive");
 	else
@@ -116,7 +122,8 @@ static void report_end(Reader *reader, Location where)
 static void report_token(Reader *reader, Location where, const char *expected, const char *or_else)
 {
 	Diag *diag = reader->context.diag;
-	bool is_string = reader->last_kind == VALUE && reader->last_value.value.kind == VALUE_STRING;
+	bool is_string = reader->last_kind == VALUE &&
+			 reader->last_value.value.kind == VALUE_STRING;
 	const char *text = is_string ? NULL : token_text(reader, where);
 	const char *found = text ? arena_printf(reader->context.items, "'%s'", text) : "a string";
 	if (expected && or_else)

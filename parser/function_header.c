@@ -23,7 +23,8 @@ static int read_parameters(Reader *reader, const char **parameters)
 		if (!name)
 			return 0;
 		if (count == PARAMETER_LIMIT) {
-			diag_error(reader->context.diag, where, "a function has at most %d parameters", (int)PARAMETER_LIMIT);
+			diag_error(reader->context.diag, where,
+				   "a function has at most %d parameters", (int)PARAMETER_LIMIT);
 			return 0;
 		}
 		parameters[count++] = name->text;
@@ -45,7 +46,8 @@ int function_body_begin(Reader *reader, const char **parameters, int count)
 {
 	if (is_sign(source_peek(reader, 0), '{') && body_is_item(reader))
 		return FUNCTION_ITEM;
-	const char **kept = arena_copy(reader->context.parse, parameters, (size_t)count * sizeof *parameters);
+	const char **kept = arena_copy(reader->context.parse, parameters,
+				       (size_t)count * sizeof *parameters);
 	function_open(&reader->context, kept, count);
 	reader->function_depth++;
 	return FUNCTION;

@@ -16,7 +16,11 @@ int identifier_token(Reader *reader, Value value, Semantic *out)
 {
 	out->value = value;
 	switch (value.kind) {
-	case VALUE_FLOAT: case VALUE_VECTOR: case VALUE_COLOR: case VALUE_STRING: case VALUE_EXPRESSION:
+	case VALUE_FLOAT:
+	case VALUE_VECTOR:
+	case VALUE_COLOR:
+	case VALUE_STRING:
+	case VALUE_EXPRESSION:
 		return VALUE;
 	case VALUE_FUNCTION: case VALUE_VECTOR_FUNCTION: case VALUE_SPLINE:
 		return next_is(reader, '(') ? CALLABLE : ITEM;
@@ -34,8 +38,9 @@ int identifier_subscripts(Reader *reader, double subscripts[8])
 		if (!frame_parse(reader, S_SUBSCRIPT, FRAME_RUNS_ON, &frame))
 			return -1;
 		if (!value_is_numeric(frame.value) || count == SUBSCRIPT_LIMIT) {
-			diag_error(reader->context.diag, where, count == SUBSCRIPT_LIMIT ? "too many subscripts"
-			                                                                 : "a subscript must be a float");
+			diag_error(reader->context.diag, where,
+				   count == SUBSCRIPT_LIMIT ? "too many subscripts"
+							    : "a subscript must be a float");
 			return -1;
 		}
 		subscripts[count++] = value_to_float(frame.value);

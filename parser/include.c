@@ -22,10 +22,12 @@ static const char *directory_of(Arena *arena, const char *path)
 	return slash ? arena_strndup(arena, path, (size_t)(slash - path + 1)) : "";
 }
 
-/* The file of that name in its folder whatever its letters' case: old scenes come from systems that do not care. */
+/* The file of that name in its folder whatever its letters' case: old scenes come from systems that
+ * do not care. */
 static const char *find_any_case(Arena *arena, const char *path)
 {
-	const char *folder = directory_of(arena, path), *base = path + strlen(folder), *found = NULL;
+	const char *folder = directory_of(arena, path), *base = path + strlen(folder),
+		   *found = NULL;
 	DIR *directory = opendir(*folder ? folder : ".");
 	if (!directory)
 		return NULL;
@@ -107,12 +109,14 @@ static bool looks_binary(const char *text, size_t length)
 static TokenFile *find_scanned(Reader *reader, const char *path, const char *text, size_t length)
 {
 	for (TokenFile *file = reader->files; file; file = file->next)
-		if (strcmp(file->path, path) == 0 && file->length == length && memcmp(file->text, text, length) == 0)
+		if (strcmp(file->path, path) == 0 && file->length == length &&
+		    memcmp(file->text, text, length) == 0)
 			return file;
 	return NULL;
 }
 
-static TokenFile *scan(Reader *reader, const char *path, char *text, size_t length, const Expansion *via)
+static TokenFile *scan(Reader *reader, const char *path, char *text, size_t length,
+		       const Expansion *via)
 {
 	static const char byte_order_mark[] = "\xef\xbb\xbf";
 	Context *context = &reader->context;
@@ -134,7 +138,8 @@ static TokenFile *scan(Reader *reader, const char *path, char *text, size_t leng
 }
 
 /* NULL after a report. Without a place to report at, the failure is the world's. */
-static TokenFile *load(Reader *reader, const char *path, const Location *where, const Expansion *via)
+static TokenFile *load(Reader *reader, const char *path, const Location *where,
+		       const Expansion *via)
 {
 	size_t length;
 	const char *problem = NULL;
@@ -147,7 +152,8 @@ static TokenFile *load(Reader *reader, const char *path, const Location *where, 
 		problem = "this is not a text file";
 	if (problem) {
 		if (where)
-			diag_error(reader->context.diag, *where, "cannot read '%s': %s", path, problem);
+			diag_error(reader->context.diag, *where, "cannot read '%s': %s", path,
+				   problem);
 		else
 			diag_fail(reader->context.diag, "cannot read '%s': %s", path, problem);
 		free(text);
@@ -166,7 +172,8 @@ bool include_file(Reader *reader, const char *name, Location where)
 	const Location *at = is_main ? NULL : &where;
 	const char *path = is_main ? name : find_file(reader, name);
 	if (!path) {
-		diag_error(reader->context.diag, where, "cannot find the file '%s' to include", name);
+		diag_error(reader->context.diag, where, "cannot find the file '%s' to include",
+			   name);
 		return false;
 	}
 	if (!is_main && !files_may_read(&reader->context, path, where))

@@ -56,8 +56,8 @@ static int call_token(Reader *reader, Word word, Semantic *value, Location where
 	}
 }
 
-/* `filter` and `transmit` are colour parts behind a colour and an item's words elsewhere (image_map); `srgb` alone is a
- * word after gamma. */
+/* `filter` and `transmit` are colour parts behind a colour and an item's words elsewhere
+ * (image_map); `srgb` alone is a word after gamma. */
 static int color_token(Reader *reader, Word word, Semantic *value)
 {
 	const Frame *frame = reader->frame;
@@ -149,7 +149,8 @@ static int symbol_token(Reader *reader, Name *name, Semantic *value, Location wh
 	}
 	if (found->kind == VALUE_MACRO) {
 		if (stands_alone(reader)) {
-			diag_error(reader->context.diag, where, "macro '%s' is called without parentheses", name->text);
+			diag_error(reader->context.diag, where,
+				   "macro '%s' is called without parentheses", name->text);
 			return poison(reader, value);
 		}
 		return macro_call(reader, found->macro, where) ? 0 : poison(reader, value);
@@ -179,12 +180,14 @@ static int name_token(Reader *reader, Name *name, Semantic *value, Location wher
 		reader->last_name = name;
 		return symbol_token(reader, name, value, where);
 	}
-	if (name->word != W_NONE && (word_class(name->word) != WORD_EXTENSION || reader->context.cognac))
+	if (name->word != W_NONE &&
+	    (word_class(name->word) != WORD_EXTENSION || reader->context.cognac))
 		return reserved_token(reader, name->word, value, where);
 	return undeclared(reader, name, value, where);
 }
 
-/* `< 1, -2, 3 >` of numbers alone, after the `<`: most of a mesh. The tokens it takes, 0 when it is something else. */
+/* `< 1, -2, 3 >` of numbers alone, after the `<`: most of a mesh. The tokens it takes, 0 when it is
+ * something else. */
 static uint32_t literal_vector(const Token *token, const Token *end, Value *out)
 {
 	const Token *at = token;
@@ -240,13 +243,15 @@ static int bad_token(Reader *reader, const Token *token, Semantic *value, Locati
 	else if (token->code > 32 && token->code < 127)
 		diag_error(diag, where, "the character '%c' has no meaning here", token->code);
 	else
-		diag_error(diag, where, "a character of code %d has no meaning outside strings and comments", token->code);
+		diag_error(diag, where,
+			   "a character of code %d has no meaning outside strings and comments",
+			   token->code);
 	poison(reader, value);
 	return token->kind == TOKEN_BAD_CHARACTER ? 0 : READER_YYEOF;
 }
 
-/* Whether the first branch of #if, #while... begins with what can go on with a complete value: an operator, or a texture's
- * next layer. */
+/* Whether the first branch of #if, #while... begins with what can go on with a complete value: an
+ * operator, or a texture's next layer. */
 static bool branch_goes_on(Reader *reader)
 {
 	uint32_t at = 1;
@@ -265,15 +270,16 @@ static bool branch_goes_on(Reader *reader)
 	return token->kind == TOKEN_SIGN && strchr("+-*/.", token->code);
 }
 
-/* Whether a complete value that the frame reads ends before this token, which would be read with the value not yet given to
- * its name. */
+/* Whether a complete value that the frame reads ends before this token, which would be read with
+ * the value not yet given to its name. */
 static bool frame_ends_before(Reader *reader, const Token *token)
 {
 	const Frame *frame = reader->frame;
 	if (frame->ends == FRAME_RUNS_ON || !frame->complete || frame->depth > 0)
 		return false;
 	if (token->kind == TOKEN_NAME)
-		return token->name->symbol && symbol_value(token->name->symbol)->kind == VALUE_MACRO;
+		return token->name->symbol &&
+		       symbol_value(token->name->symbol)->kind == VALUE_MACRO;
 	if (token->kind != TOKEN_DIRECTIVE)
 		return false;
 	switch ((Word)token->code) {
@@ -335,7 +341,8 @@ static int take_ahead(Reader *reader, Semantic *value, Location *where)
 	reader->has_ahead = false;
 	*where = ahead.where;
 	*value = ahead.value;
-	if (ahead.name && ahead.name->symbol && symbol_value(ahead.name->symbol)->kind == VALUE_FLOAT) {
+	if (ahead.name && ahead.name->symbol &&
+	    symbol_value(ahead.name->symbol)->kind == VALUE_FLOAT) {
 		reader->last_name = ahead.name;
 		reader->target = symbol_value(ahead.name->symbol);
 		value->value = *reader->target;
@@ -383,13 +390,15 @@ static void push_brace(Reader *reader, Location where)
 {
 	if (reader->brace_count == reader->brace_capacity) {
 		reader->brace_capacity = reader->brace_capacity ? 2 * reader->brace_capacity : 32;
-		reader->braces = memory_resize(reader->braces, (size_t)reader->brace_capacity * sizeof(Location));
+		reader->braces = memory_resize(reader->braces,
+					       (size_t)reader->brace_capacity * sizeof(Location));
 	}
 	reader->braces[reader->brace_count++] = where;
 }
 
 /* Keeps the frame's account of nesting and of what the last token was. */
-static void note_token(Reader *reader, Frame *frame, int kind, const Semantic *value, Location where)
+static void note_token(Reader *reader, Frame *frame, int kind, const Semantic *value,
+		       Location where)
 {
 	frame->last_word = W_NONE;
 	frame->complete = false;
@@ -421,7 +430,8 @@ static void note_token(Reader *reader, Frame *frame, int kind, const Semantic *v
 		frame->complete = true;
 		break;
 	case VALUE:
-		frame->color = value->value.kind == VALUE_COLOR || (frame->color && value->value.kind != VALUE_STRING);
+		frame->color = value->value.kind == VALUE_COLOR ||
+			       (frame->color && value->value.kind != VALUE_STRING);
 		frame->complete = true;
 		break;
 	case '>': case ITEM: case CALLABLE: case MEMBER:

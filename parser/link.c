@@ -58,7 +58,13 @@ static void tie_break(Linker *linker, uint32_t index)
 static void link_directive(Linker *linker, uint32_t index)
 {
 	switch ((Word)linker->tokens[index].code) {
-	case W_if: case W_ifdef: case W_ifndef: case W_while: case W_for: case W_switch: case W_macro:
+	case W_if:
+	case W_ifdef:
+	case W_ifndef:
+	case W_while:
+	case W_for:
+	case W_switch:
+	case W_macro:
 		push(linker, index);
 		break;
 	case W_elseif: case W_else: case W_case: case W_range:

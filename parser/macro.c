@@ -1,6 +1,7 @@
 /*
- * Macros: a body is a range of a file's tokens, read again at each call in a scope of its own. A lone identifier or array
- * element as argument stands for the caller's variable; anything else is a value.
+ * Macros: a body is a range of a file's tokens, read again at each call in a scope of its own. A
+ * lone identifier or array element as argument stands for the caller's variable; anything else is a
+ * value.
  */
 #include <string.h>
 
@@ -31,9 +32,13 @@ static int read_parameters(Reader *reader, Name **parameters)
 		Name *name = source_take_name(reader, "a parameter's name");
 		if (!name)
 			return -1;
-		if (count == PARAMETER_LIMIT || (name->word && word_class(name->word) != WORD_EXTENSION)) {
-			diag_error(reader->context.diag, where, count == PARAMETER_LIMIT ? "too many parameters"
-			           : "'%s' is a reserved word and cannot name a parameter", name->text);
+		if (count == PARAMETER_LIMIT ||
+		    (name->word && word_class(name->word) != WORD_EXTENSION)) {
+			diag_error(reader->context.diag, where,
+				   count == PARAMETER_LIMIT
+					   ? "too many parameters"
+					   : "'%s' is a reserved word and cannot name a parameter",
+				   name->text);
 			return -1;
 		}
 		parameters[count++] = name;
@@ -55,22 +60,26 @@ void macro_define(Reader *reader, const Token *directive, Location where)
 		size_t size = (size_t)count * sizeof *parameters;
 		*macro = (Macro){name, source->file, source->position, directive->link.end,
 		                 arena_copy(reader->context.parse, parameters, size), count};
-		symbols_declare(reader->symbols, name, (Value){.kind = VALUE_MACRO, .macro = macro}, false);
+		symbols_declare(reader->symbols, name, (Value){.kind = VALUE_MACRO, .macro = macro},
+				false);
 	}
 	source_jump(reader, directive->link.end == LINK_NONE ? LINK_NONE : directive->link.end + 1);
 }
 
-/* A variable alone, or an element of an array. When more than that follows, its token is given back to the grammar. */
+/* A variable alone, or an element of an array. When more than that follows, its token is given back
+ * to the grammar. */
 static bool read_reference(Reader *reader, Argument *argument)
 {
 	const Token *token = source_peek(reader, 0);
 	if (!token || token->kind != TOKEN_NAME || !token->name->symbol)
 		return false;
 	Name *name = token->name;
-	if (reader->function_depth > 0 && function_argument(&reader->context, name->text, name->length) >= 0)
+	if (reader->function_depth > 0 &&
+	    function_argument(&reader->context, name->text, name->length) >= 0)
 		return false;
 	const Value *held = symbol_value(name->symbol);
-	if (held->kind == VALUE_MACRO || (held->kind != VALUE_ARRAY && !ends_argument(source_peek(reader, 1))))
+	if (held->kind == VALUE_MACRO ||
+	    (held->kind != VALUE_ARRAY && !ends_argument(source_peek(reader, 1))))
 		return false;
 	Location where = source_here(reader);
 	source_top(reader)->position++;
@@ -81,7 +90,8 @@ static bool read_reference(Reader *reader, Argument *argument)
 		return true;
 	}
 	Semantic semantic = {.value = value_float(0)};
-	int kind = value && value->kind != VALUE_NONE ? identifier_token(reader, *value, &semantic) : VALUE;
+	int kind = value && value->kind != VALUE_NONE ? identifier_token(reader, *value, &semantic)
+						      : VALUE;
 	reader->ahead = (Ahead){kind, semantic, where, NULL};
 	reader->has_ahead = true;
 	return false;
@@ -94,7 +104,8 @@ static bool goes_on(Reader *reader, bool *good)
 	Location where;
 	int kind = lexer_fetch(reader, &value, &where);
 	if (kind == READER_YYEOF && !reader->stopped)
-		diag_error(reader->context.diag, where, "the arguments of the macro are never closed");
+		diag_error(reader->context.diag, where,
+			   "the arguments of the macro are never closed");
 	if (kind == READER_YYEOF)
 		*good = false;
 	if (kind != ',' && kind != ')')
@@ -139,9 +150,11 @@ static void bind(Reader *reader, const Macro *macro, const Argument *arguments)
 {
 	for (int i = 0; i < macro->parameter_count; i++) {
 		if (arguments[i].reference)
-			symbols_refer(reader->symbols, macro->parameters[i], arguments[i].reference);
+			symbols_refer(reader->symbols, macro->parameters[i],
+				      arguments[i].reference);
 		else
-			symbols_declare(reader->symbols, macro->parameters[i], arguments[i].value, true);
+			symbols_declare(reader->symbols, macro->parameters[i], arguments[i].value,
+					true);
 	}
 }
 
@@ -151,8 +164,8 @@ bool macro_call(Reader *reader, const Macro *macro, Location where)
 	bool good = true;
 	int count = read_arguments(reader, arguments, macro->parameter_count, &good);
 	if (good && count != macro->parameter_count)
-		diag_error(reader->context.diag, where, "macro '%s' takes %d arguments, not %d", macro->name->text,
-		           macro->parameter_count, count);
+		diag_error(reader->context.diag, where, "macro '%s' takes %d arguments, not %d",
+			   macro->name->text, macro->parameter_count, count);
 	if (!good || count != macro->parameter_count)
 		return false;
 	const Expansion *via = source_expansion(reader, where, macro->name->text);

@@ -4,8 +4,8 @@
 
 #include <stddef.h>
 
-/* text is digits with at most one point and an exponent, as the scanner matched them; a byte that belongs to no number
- * follows. */
+/* text is digits with at most one point and an exponent, as the scanner matched them; a byte that
+ * belongs to no number follows. */
 double number_parse(const char *text, size_t length);
 
 #endif

@@ -8,7 +8,8 @@
 #include "parser/grammar.h"
 #include "parser/state.h"
 
-/* What a scene without #version is rendered as, though the word `version` reads 3.7; as POV-Ray 3.7 has it. */
+/* What a scene without #version is rendered as, though the word `version` reads 3.7; as POV-Ray 3.7
+ * has it. */
 static const double VERSION_UNSAID = 3.62;
 
 /* The scene's own folder stands first among the library paths. */
@@ -17,14 +18,17 @@ static void set_library_paths(Context *context, const ReaderOptions *options)
 	int count = options->library_path_count + 1;
 	const char **paths = ARENA_ARRAY(context->parse, const char *, count);
 	const char *slash = strrchr(options->path, '/');
-	paths[0] = slash ? arena_strndup(context->parse, options->path, (size_t)(slash - options->path + 1)) : "";
+	paths[0] = slash ? arena_strndup(context->parse, options->path,
+					 (size_t)(slash - options->path + 1))
+			 : "";
 	for (int i = 1; i < count; i++)
 		paths[i] = options->library_paths[i - 1];
 	context->library_paths = paths;
 	context->library_path_count = count;
 }
 
-static void set_context(Reader *reader, const ReaderOptions *options, SceneBuilder *builder, Diag *diag)
+static void set_context(Reader *reader, const ReaderOptions *options, SceneBuilder *builder,
+			Diag *diag)
 {
 	reader->context = (Context){
 		.diag = diag,
@@ -56,9 +60,11 @@ static void declare_constants(Reader *reader, const ReaderOptions *options)
 {
 	for (int i = 0; i < options->constant_count; i++) {
 		const ReaderConstant *constant = &options->constants[i];
-		Name *name = symbols_intern(reader->symbols, constant->name, strlen(constant->name));
-		Value value = constant->is_string ? value_string(arena_strdup(reader->context.parse, constant->text))
-		                                  : value_float(constant->number);
+		Name *name = symbols_intern(reader->symbols, constant->name,
+					    strlen(constant->name));
+		Value value = constant->is_string ? value_string(arena_strdup(reader->context.parse,
+									      constant->text))
+						  : value_float(constant->number);
 		symbols_declare(reader->symbols, name, value, false);
 	}
 }

@@ -1,5 +1,6 @@
 /*
- * Reads a scene: text to tokens to directives to grammar to builders. The one entry of the parser room.
+ * Reads a scene: text to tokens to directives to grammar to builders. The one entry of the parser
+ * room.
  */
 #ifndef PARSER_READER_H
 #define PARSER_READER_H
@@ -29,7 +30,8 @@ typedef struct ReaderOptions {
 	int image_width, image_height;
 	bool allow_write_anywhere;
 	const char *const *allowed_read_paths; int allowed_read_path_count; /* empty: everywhere */
-	const volatile sig_atomic_t *interrupted; /* reading ends soon after it became nonzero; or NULL */
+	const volatile sig_atomic_t
+		*interrupted; /* reading ends soon after it became nonzero; or NULL */
 } ReaderOptions;
 
 /* Fills the builder. False when there were errors, all reported. */

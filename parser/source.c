@@ -8,16 +8,20 @@ Source *source_top(Reader *reader)
 bool source_push(Reader *reader, Source source, Location at)
 {
 	if (reader->source_count >= SOURCE_DEPTH_LIMIT) {
-		diag_error(reader->context.diag, at, "macros and includes are nested more than %d deep: endless recursion?",
-		           (int)SOURCE_DEPTH_LIMIT);
+		diag_error(reader->context.diag, at,
+			   "macros and includes are nested more than %d deep: endless recursion?",
+			   (int)SOURCE_DEPTH_LIMIT);
 		reader->stopped = true;
 		return false;
 	}
 	if (reader->source_count == reader->source_capacity) {
-		reader->source_capacity = reader->source_capacity ? 2 * reader->source_capacity : 32;
-		reader->sources = memory_resize(reader->sources, (size_t)reader->source_capacity * sizeof(Source));
+		reader->source_capacity = reader->source_capacity ? 2 * reader->source_capacity
+								  : 32;
+		reader->sources = memory_resize(reader->sources,
+						(size_t)reader->source_capacity * sizeof(Source));
 	}
-	/* The main file's locals are the global scope's neighbours: every source but the first has a scope. */
+	/* The main file's locals are the global scope's neighbours: every source but the first has
+	 * a scope. */
 	if (reader->source_count > 0)
 		symbols_push(reader->symbols);
 	reader->sources[reader->source_count++] = source;
@@ -29,7 +33,8 @@ void source_pop(Reader *reader)
 	reader->source_count--;
 	if (reader->source_count > 0)
 		symbols_pop(reader->symbols);
-	while (reader->loop_count > 0 && reader->loops[reader->loop_count - 1].source_depth > reader->source_count)
+	while (reader->loop_count > 0 &&
+	       reader->loops[reader->loop_count - 1].source_depth > reader->source_count)
 		reader->loop_count--;
 }
 
@@ -43,8 +48,8 @@ const Expansion *source_expansion(Reader *reader, Location at, const char *name)
 {
 	size_t slot = (at.offset * 31u + at.source + ((size_t)at.via >> 4)) % 256;
 	const Expansion *known = reader->expansions[slot];
-	if (known && known->name == name && known->at.offset == at.offset && known->at.source == at.source &&
-	    known->at.via == at.via)
+	if (known && known->name == name && known->at.offset == at.offset &&
+	    known->at.source == at.source && known->at.via == at.via)
 		return known;
 	Expansion *expansion = ARENA_NEW(reader->context.builder->arena, Expansion);
 	*expansion = (Expansion){.at = at, .name = name};
@@ -68,7 +73,9 @@ Location source_here(Reader *reader)
 const Token *source_peek(Reader *reader, uint32_t distance)
 {
 	const Source *source = source_top(reader);
-	return distance < source->end - source->position ? &source->file->tokens[source->position + distance] : NULL;
+	return distance < source->end - source->position
+		       ? &source->file->tokens[source->position + distance]
+		       : NULL;
 }
 
 bool source_accept_sign(Reader *reader, int sign)
@@ -84,7 +91,8 @@ bool source_take_sign(Reader *reader, int sign, const char *after)
 {
 	if (source_accept_sign(reader, sign))
 		return true;
-	diag_error(reader->context.diag, source_here(reader), "expected '%c' after %s", sign, after);
+	diag_error(reader->context.diag, source_here(reader), "expected '%c' after %s", sign,
+		   after);
 	return false;
 }
 

@@ -1,13 +1,14 @@
 /*
  * What the files of the parser room share: one reading of one scene. From the bottom up:
  *
- *     source.c      which token comes next: a stack of files and macro bodies, each an index into a token array
- *     lexer.c       tokens to the grammar's tokens; identifiers get their values here, directives are run in between
- *     directive.c   conditions, loops and everything else after a #; calls the grammar again for what it holds
- *     grammar.y     trees and values
- *     reader.c      item after item to lang's builders
+ *     source.c      which token comes next: a stack of files and macro bodies, each an index into a
+ * token array lexer.c       tokens to the grammar's tokens; identifiers get their values here,
+ * directives are run in between directive.c   conditions, loops and everything else after a #;
+ * calls the grammar again for what it holds grammar.y     trees and values reader.c      item after
+ * item to lang's builders
  *
- * One call of the grammar is a Frame. It reads one token ahead at most, and gives that token back (Reader.ahead).
+ * One call of the grammar is a Frame. It reads one token ahead at most, and gives that token back
+ * (Reader.ahead).
  */
 #ifndef PARSER_STATE_H
 #define PARSER_STATE_H
@@ -23,7 +24,8 @@
 #include "parser/reader.h"
 #include "parser/token.h"
 
-/* Deeper nesting of macro calls and includes, and of the grammar's calls of itself, is taken for endless recursion. */
+/* Deeper nesting of macro calls and includes, and of the grammar's calls of itself, is taken for
+ * endless recursion. */
 enum { SOURCE_DEPTH_LIMIT = 1000, FRAME_DEPTH_LIMIT = 400 };
 
 /* A sequence of nodes being made. */
@@ -71,7 +73,8 @@ struct Macro {
 	int parameter_count;
 };
 
-/* Where a value that is being read ends although the grammar could go on: before a directive that could use it. */
+/* Where a value that is being read ends although the grammar could go on: before a directive that
+ * could use it. */
 typedef enum FrameEnd {
 	FRAME_RUNS_ON,        /* an item: braces end it */
 	FRAME_ENDS_AT_DECLARE, /* #declare X = 1 #declare ...: X must have its value first */
@@ -128,7 +131,8 @@ struct Reader {
 	bool poisoned;       /* it stands for a mistake that was reported */
 	bool stopped;        /* nothing more is read */
 	bool version_given;  /* by #version or the options */
-	const Expansion *expansions[256]; /* the latest, by a hash: loops call from the same place */
+	const Expansion
+		*expansions[256]; /* the latest, by a hash: loops call from the same place */
 };
 
 /* source.c */
@@ -162,8 +166,8 @@ void lexer_give_back(Reader *reader, int kind, const Semantic *value, Location w
 void lexer_skip_group(Reader *reader, int open, int close);
 
 /* identifier.c */
-/* The variable or array element that a name and the subscripts after it stand for; NULL when undeclared (report says whether
- * that is reported). */
+/* The variable or array element that a name and the subscripts after it stand for; NULL when
+ * undeclared (report says whether that is reported). */
 Value *identifier_resolve(Reader *reader, Name *name, Location where, bool report);
 /* The grammar's token for a value. */
 int identifier_token(Reader *reader, Value value, Semantic *out);
@@ -187,9 +191,11 @@ void declare_directive(Reader *reader, bool local, Location where);
 void declare_undef(Reader *reader);
 /* After a mistake: behind the next semicolon, or before a directive or a closing brace. */
 void declare_skip(Reader *reader);
-/* Gives name the value where it is declared, or NAME [i] ... its element: what #read fills in. False after a report. */
+/* Gives name the value where it is declared, or NAME [i] ... its element: what #read fills in.
+ * False after a report. */
 bool declare_assign(Reader *reader, Value value);
-/* Runs what is left of the macros that gave the frame's value, and takes the semicolon behind it; false when there is none. */
+/* Runs what is left of the macros that gave the frame's value, and takes the semicolon behind it;
+ * false when there is none. */
 bool declare_end(Reader *reader, const Frame *frame);
 /* stream.c */
 void stream_directive(Reader *reader, Word word, Location where);
@@ -204,12 +210,14 @@ int function_sum(Reader *reader, Word word, Semantic *value, Location where);
 /* frame.c: calls of the grammar. start is a token S_...; all return false after a report. */
 bool frame_parse(Reader *reader, int start, FrameEnd ends, Frame *frame);
 bool frame_string(Reader *reader, const char **out);
-/* ( a, b, ... ) after the opening parenthesis was read; values are at reader->values[frame->run.start]. */
+/* ( a, b, ... ) after the opening parenthesis was read; values are at
+ * reader->values[frame->run.start]. */
 bool frame_arguments(Reader *reader, Frame *frame);
 /* ( condition ) */
 bool frame_condition(Reader *reader, bool *out);
 
-/* The grammar found a token it has no use for; expected says what it wanted, or NULL. Reports, and sets out to skip. */
+/* The grammar found a token it has no use for; expected says what it wanted, or NULL. Reports, and
+ * sets out to skip. */
 void frame_syntax_error(Reader *reader, Location where, const char *expected, const char *or_else);
 
 /* tree.c: what the grammar's actions call. */

@@ -63,7 +63,8 @@ static void run_fclose(Reader *reader)
 {
 	Name *name;
 	const Token *next = source_peek(reader, 0);
-	if (next && next->kind == TOKEN_NAME && !next->name->symbol) { /* #read reached the end and closed it */
+	if (next && next->kind == TOKEN_NAME &&
+	    !next->name->symbol) { /* #read reached the end and closed it */
 		source_top(reader)->position++;
 		return;
 	}
@@ -85,7 +86,8 @@ static void run_read(Reader *reader)
 		Value value;
 		Location where = source_here(reader);
 		if (files_at_end(file))
-			diag_error(reader->context.diag, where, "nothing is left to read from '%s'", name->text);
+			diag_error(reader->context.diag, where, "nothing is left to read from '%s'",
+				   name->text);
 		good = !files_at_end(file) && files_read(&reader->context, file, &value, where) &&
 		       declare_assign(reader, value);
 	}
@@ -98,17 +100,23 @@ static void run_read(Reader *reader)
 	}
 }
 
-/* uint8, sint16le...: how the values up to the next comma are written; NULL when none of these words is next. */
+/* uint8, sint16le...: how the values up to the next comma are written; NULL when none of these
+ * words is next. */
 static const FileInteger *read_integer_format(Reader *reader)
 {
 	const Token *token = source_peek(reader, 0);
-	const FileInteger *format = !reader->has_ahead && token && token->kind == TOKEN_NAME && !token->name->symbol ?
-	                            files_integer(token->name->word) : NULL;
+	const FileInteger *format = !reader->has_ahead && token && token->kind == TOKEN_NAME &&
+						    !token->name->symbol
+					    ? files_integer(token->name->word)
+					    : NULL;
 	source_top(reader)->position += format != NULL;
-	return format && source_accept_sign(reader, ',') ? NULL : format; /* a comma ends what the word holds for */
+	return format && source_accept_sign(reader, ',')
+		       ? NULL
+		       : format; /* a comma ends what the word holds for */
 }
 
-/* One value; *format lasts to the next comma. The sign behind it, or 0 when another value follows or after a report. */
+/* One value; *format lasts to the next comma. The sign behind it, or 0 when another value follows
+ * or after a report. */
 static int write_value(Reader *reader, SceneFile *file, const FileInteger *format)
 {
 	Frame frame;

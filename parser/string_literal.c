@@ -22,8 +22,11 @@ static char *put_utf8(char *out, unsigned code)
 /* Bytes of the well-formed UTF-8 sequence at text, 0 when there is none. */
 static size_t utf8_length(const unsigned char *text, size_t left)
 {
-	size_t length = text[0] < 0x80 ? 1 : text[0] >= 0xc2 && text[0] < 0xe0 ? 2
-	              : text[0] >= 0xe0 && text[0] < 0xf0 ? 3 : text[0] >= 0xf0 && text[0] < 0xf5 ? 4 : 0;
+	size_t length = text[0] < 0x80                      ? 1
+			: text[0] >= 0xc2 && text[0] < 0xe0 ? 2
+			: text[0] >= 0xe0 && text[0] < 0xf0 ? 3
+			: text[0] >= 0xf0 && text[0] < 0xf5 ? 4
+							    : 0;
 	if (length > left)
 		return 0;
 	for (size_t i = 1; i < length; i++)

@@ -25,8 +25,9 @@ Value tree_vector(Reader *reader, ValueRun components, Location where)
 	double *numbers = ARENA_ARRAY(reader->context.items, double, components.count);
 	for (int i = 0; i < components.count; i++) {
 		if (!value_is_numeric(values[i])) {
-			diag_error(reader->context.diag, where, "component %d must be a float, found %s", i + 1,
-			           value_describe(values[i]));
+			diag_error(reader->context.diag, where,
+				   "component %d must be a float, found %s", i + 1,
+				   value_describe(values[i]));
 			return value_float(0);
 		}
 		numbers[i] = value_to_float(values[i]);
@@ -75,12 +76,14 @@ void tree_push(Reader *reader, Value value)
 {
 	if (reader->value_count == reader->value_capacity) {
 		reader->value_capacity = reader->value_capacity ? 2 * reader->value_capacity : 256;
-		reader->values = memory_resize(reader->values, (size_t)reader->value_capacity * sizeof(Value));
+		reader->values = memory_resize(reader->values,
+					       (size_t)reader->value_capacity * sizeof(Value));
 	}
 	reader->values[reader->value_count++] = value;
 }
 
-/* Nothing is built from what had a mistake, and a mistake while building spoils what it is part of. */
+/* Nothing is built from what had a mistake, and a mistake while building spoils what it is part of.
+ */
 static Value spoil(Reader *reader, Value value)
 {
 	if (value.kind == VALUE_NONE)
@@ -112,7 +115,8 @@ Value tree_function(Reader *reader, Node *body, Location where)
 }
 
 /* Sets elements from offset on; length is how many one entry of this dimension spans. */
-static void fill_array(Reader *reader, Array *array, int dimension, long offset, const Node *elements)
+static void fill_array(Reader *reader, Array *array, int dimension, long offset,
+		       const Node *elements)
 {
 	long length = 1, index = 0;
 	for (int i = dimension + 1; i < array->dimensions; i++)
@@ -121,19 +125,22 @@ static void fill_array(Reader *reader, Array *array, int dimension, long offset,
 		long at = offset + index * length;
 		bool nested = elements->kind == NODE_ENTRY;
 		if (index >= array->size[dimension]) {
-			diag_error(reader->context.diag, elements->where, "more values than the array has elements (%d)",
-			           array->size[dimension]);
+			diag_error(reader->context.diag, elements->where,
+				   "more values than the array has elements (%d)",
+				   array->size[dimension]);
 			return;
 		}
 		if (nested != (dimension + 1 < array->dimensions)) {
-			diag_error(reader->context.diag, elements->where, nested ? "the array has fewer dimensions"
-			                                                         : "expected '{' for the next dimension");
+			diag_error(reader->context.diag, elements->where,
+				   nested ? "the array has fewer dimensions"
+					  : "expected '{' for the next dimension");
 			return;
 		}
 		if (nested)
 			fill_array(reader, array, dimension + 1, at, elements->children);
 		else if (elements->value.kind != VALUE_NONE)
-			array_set(&reader->context, array, &array->elements[at], elements->value, elements->where);
+			array_set(&reader->context, array, &array->elements[at], elements->value,
+				  elements->where);
 	}
 }
 
@@ -142,7 +149,8 @@ Value tree_array(Reader *reader, ValueRun sizes, const Node *elements, Location 
 	double size[ARRAY_MAX_DIMENSIONS + 1];
 	reader->value_count = sizes.start;
 	if (sizes.count > ARRAY_MAX_DIMENSIONS) {
-		diag_error(reader->context.diag, where, "an array has at most %d dimensions", (int)ARRAY_MAX_DIMENSIONS);
+		diag_error(reader->context.diag, where, "an array has at most %d dimensions",
+			   (int)ARRAY_MAX_DIMENSIONS);
 		return spoil(reader, value_none());
 	}
 	for (int i = 0; i < sizes.count; i++)
@@ -159,7 +167,8 @@ Value tree_trace(Reader *reader, ValueRun arguments, Location where)
 	Value normal, *values = reader->values + arguments.start;
 	reader->value_count = arguments.start;
 	if (arguments.count != 3 && arguments.count != 4) {
-		diag_error(reader->context.diag, where, "trace takes an object, a point, a direction and a variable");
+		diag_error(reader->context.diag, where,
+			   "trace takes an object, a point, a direction and a variable");
 		return value_float(0);
 	}
 	Value *target = arguments.count == 4 ? reader->target : NULL;

@@ -1,6 +1,7 @@
 /*
- * A bump allocator: many allocations, one release. Memory comes zeroed and aligned for any type. Running out of
- * memory ends the program with a message and status 1, so callers never check. Not shared between threads.
+ * A bump allocator: many allocations, one release. Memory comes zeroed and aligned for any type.
+ * Running out of memory ends the program with a message and status 1, so callers never check. Not
+ * shared between threads.
  */
 #ifndef BASE_ARENA_H
 #define BASE_ARENA_H
@@ -28,7 +29,8 @@ size_t arena_bytes(const Arena *arena);          /* bytes held from the system *
 
 /* One zeroed object, or an array of them, of a type. */
 #define ARENA_NEW(arena, type) ((type *)arena_alloc((arena), sizeof(type)))
-#define ARENA_ARRAY(arena, type, count) ((type *)arena_alloc((arena), sizeof(type) * (size_t)(count)))
+#define ARENA_ARRAY(arena, type, count)                                                            \
+	((type *)arena_alloc((arena), sizeof(type) * (size_t)(count)))
 
 /* malloc and friends that end the program when memory runs out. */
 void *memory_alloc(size_t size);

@@ -1,6 +1,7 @@
 /*
- * Colours: linear, in the scene's working space, single precision. Rgbft is POV-Ray's five-part colour:
- * filter is the share of light that passes tinted by the colour, transmit the share that passes untinted.
+ * Colours: linear, in the scene's working space, single precision. Rgbft is POV-Ray's five-part
+ * colour: filter is the share of light that passes tinted by the colour, transmit the share that
+ * passes untinted.
  */
 #ifndef BASE_COLOR_H
 #define BASE_COLOR_H
@@ -40,7 +41,8 @@ static inline Rgbft rgbft_opaque(Rgb c) { return (Rgbft){c.r, c.g, c.b, 0, 0}; }
 static inline Rgbft rgbft_lerp(Rgbft a, Rgbft b, float s)
 {
 	return (Rgbft){a.r + s * (b.r - a.r), a.g + s * (b.g - a.g), a.b + s * (b.b - a.b),
-	               a.filter + s * (b.filter - a.filter), a.transmit + s * (b.transmit - a.transmit)};
+		       a.filter + s * (b.filter - a.filter),
+		       a.transmit + s * (b.transmit - a.transmit)};
 }
 /* Share of light that the surface itself reflects diffusely: 1 - filter - transmit, at least 0. */
 static inline float rgbft_opacity(Rgbft c)
@@ -51,7 +53,8 @@ static inline float rgbft_opacity(Rgbft c)
 /* What light passing through the surface is multiplied with: filter * colour + transmit. */
 static inline Rgb rgbft_transmittance(Rgbft c)
 {
-	return (Rgb){c.filter * c.r + c.transmit, c.filter * c.g + c.transmit, c.filter * c.b + c.transmit};
+	return (Rgb){c.filter * c.r + c.transmit, c.filter * c.g + c.transmit,
+		     c.filter * c.b + c.transmit};
 }
 
 #endif

@@ -41,14 +41,16 @@ void diag_destroy(Diag *diag)
 
 uint32_t diag_add_source(Diag *diag, const char *name, const char *text, size_t length)
 {
-	diag->sources = memory_resize(diag->sources, (diag->source_count + 1) * sizeof *diag->sources);
+	diag->sources = memory_resize(diag->sources,
+				      (diag->source_count + 1) * sizeof *diag->sources);
 	diag->sources[diag->source_count++] = (Source){name, text, length};
 	return diag->source_count;
 }
 
 static const Source *source_of(const Diag *diag, Location at)
 {
-	return at.source >= 1 && at.source <= diag->source_count ? &diag->sources[at.source - 1] : NULL;
+	return at.source >= 1 && at.source <= diag->source_count ? &diag->sources[at.source - 1]
+								 : NULL;
 }
 
 static size_t line_start(const Source *source, size_t offset)
@@ -75,8 +77,8 @@ Position diag_position(const Diag *diag, Location at)
 	return (Position){source->name, line, (int)(offset - line_start(source, offset)) + 1};
 }
 
-/* The line with its number, and a caret under the column; tabs are kept so that the caret stands right. Bytes that a
- * terminal could take for commands are shown as '?'. */
+/* The line with its number, and a caret under the column; tabs are kept so that the caret stands
+ * right. Bytes that a terminal could take for commands are shown as '?'. */
 static void print_line(const Diag *diag, Location at, Position position)
 {
 	const Source *source = source_of(diag, at);
@@ -111,11 +113,13 @@ static void print_chain(const Diag *diag, const Expansion *via)
 			fprintf(diag->out, "  in macro '%s', called at ", via->name);
 		else
 			fputs("  included from ", diag->out);
-		fprintf(diag->out, "%s:%d:%d\n", position.file ? position.file : "?", position.line, position.column);
+		fprintf(diag->out, "%s:%d:%d\n", position.file ? position.file : "?", position.line,
+			position.column);
 	}
 }
 
-static void report(const Diag *diag, Location at, const char *kind, const char *format, va_list args)
+static void report(const Diag *diag, Location at, const char *kind, const char *format,
+		   va_list args)
 {
 	Position position = diag_position(diag, at);
 	if (position.file)
@@ -132,7 +136,8 @@ static void report(const Diag *diag, Location at, const char *kind, const char *
 	fflush(diag->out);
 }
 
-static void locked_report(Diag *diag, Location at, const char *kind, const char *format, va_list args)
+static void locked_report(Diag *diag, Location at, const char *kind, const char *format,
+			  va_list args)
 {
 	if (!diag->out)
 		return;

@@ -1,6 +1,6 @@
 /*
- * Diagnostics: every message of the program goes through one sink. A scene error names file, line and column, shows the
- * line with a caret, and the chain of macros and includes that led there:
+ * Diagnostics: every message of the program goes through one sink. A scene error names file, line
+ * and column, shows the line with a caret, and the chain of macros and includes that led there:
  *
  *     scene.pov:12:9: error: expected a vector, found a string
  *        12 | sphere { "no", 1 }
@@ -8,9 +8,9 @@
  *     in macro 'Ball', called at scene.pov:40:1
  *     included from main.pov:3:1
  *
- * Three roads: a mistake in a scene goes to diag_error with its location, and the parse goes on; a failure of the world
- * (file, library) goes to diag_fail and a returned status; a programmer's mistake is an assertion.
- * The sink is safe to call from several threads.
+ * Three roads: a mistake in a scene goes to diag_error with its location, and the parse goes on; a
+ * failure of the world (file, library) goes to diag_fail and a returned status; a programmer's
+ * mistake is an assertion. The sink is safe to call from several threads.
  */
 #ifndef BASE_DIAG_H
 #define BASE_DIAG_H
@@ -23,7 +23,8 @@
 
 typedef struct Diag Diag;
 
-/* How a token came to be read: by a macro call or an include, at a place, which itself was reached by another. */
+/* How a token came to be read: by a macro call or an include, at a place, which itself was reached
+ * by another. */
 typedef struct Expansion Expansion;
 
 /* A place in a scene text. source 0 means no place (command line, file system). */
@@ -44,14 +45,18 @@ typedef struct Position {
 	int line, column;
 } Position;
 
-Diag *diag_create(FILE *out); /* messages go to out (stderr); NULL keeps them silent, still counted */
+Diag *
+diag_create(FILE *out); /* messages go to out (stderr); NULL keeps them silent, still counted */
 void diag_destroy(Diag *diag);
-/* Registers a text that locations can point into; name and text must outlive the sink. Returns its number (from 1). */
+/* Registers a text that locations can point into; name and text must outlive the sink. Returns its
+ * number (from 1). */
 uint32_t diag_add_source(Diag *diag, const char *name, const char *text, size_t length);
 Position diag_position(const Diag *diag, Location at);
 
-void diag_error(Diag *diag, Location at, const char *format, ...) __attribute__((format(printf, 3, 4)));
-void diag_warning(Diag *diag, Location at, const char *format, ...) __attribute__((format(printf, 3, 4)));
+void diag_error(Diag *diag, Location at, const char *format, ...)
+	__attribute__((format(printf, 3, 4)));
+void diag_warning(Diag *diag, Location at, const char *format, ...)
+	__attribute__((format(printf, 3, 4)));
 /* A scene's own words (#debug, #warning text), printed as they are. */
 void diag_text(Diag *diag, const char *text);
 /* A failure of the world; counts as an error. */

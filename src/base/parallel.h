@@ -1,6 +1,7 @@
 /*
- * Parallel loops over independent items (OpenMP inside). The body gets the item and the number of the thread that runs
- * it, 0 .. parallel_threads() - 1, for scratch memory; results must depend on the item alone.
+ * Parallel loops over independent items (OpenMP inside). The body gets the item and the number of
+ * the thread that runs it, 0 .. parallel_threads() - 1, for scratch memory; results must depend on
+ * the item alone.
  */
 #ifndef BASE_PARALLEL_H
 #define BASE_PARALLEL_H

@@ -1,6 +1,7 @@
 /*
- * Random numbers as functions, not streams: the same (seed, index, dimension) gives the same number whatever thread asks
- * and in whatever order. Low-discrepancy: Halton points, Owen-style scrambled Sobol pairs belong here as well.
+ * Random numbers as functions, not streams: the same (seed, index, dimension) gives the same number
+ * whatever thread asks and in whatever order. Low-discrepancy: Halton points, Owen-style scrambled
+ * Sobol pairs belong here as well.
  */
 #ifndef BASE_RANDOM_H
 #define BASE_RANDOM_H
@@ -19,7 +20,8 @@ static inline uint64_t random_mix(uint64_t k)
 }
 static inline uint64_t random_bits(uint64_t seed, uint64_t index, uint64_t dimension)
 {
-	return random_mix(random_mix(random_mix(seed + 0x9e3779b97f4a7c15u) ^ index) + 0x9e3779b97f4a7c15u * (dimension + 1));
+	return random_mix(random_mix(random_mix(seed + 0x9e3779b97f4a7c15u) ^ index) +
+			  0x9e3779b97f4a7c15u * (dimension + 1));
 }
 /* Uniform in [0, 1). */
 static inline double random_uniform(uint64_t seed, uint64_t index, uint64_t dimension)
@@ -32,9 +34,13 @@ typedef struct Sampler {
 	uint64_t seed, index, dimension;
 } Sampler;
 
-static inline double sampler_next(Sampler *s) { return random_uniform(s->seed, s->index, s->dimension++); }
+static inline double sampler_next(Sampler *s)
+{
+	return random_uniform(s->seed, s->index, s->dimension++);
+}
 
-/* Radical inverse of index in the dimension-th prime base, in [0, 1); dimension < 64. (Halton 1960) */
+/* Radical inverse of index in the dimension-th prime base, in [0, 1); dimension < 64. (Halton 1960)
+ */
 double random_halton(uint64_t index, int dimension);
 
 #endif

@@ -6,7 +6,8 @@ static const double degree = 0.017453292519943295769; /* pi / 180 */
 
 Transform transform_identity(void)
 {
-	return (Transform){{{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}}, {{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}}};
+	return (Transform){{{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}},
+			   {{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}}};
 }
 
 Transform transform_translate(Vec3 by)
@@ -88,7 +89,8 @@ bool transform_matrix(const double rows[12], Transform *out)
 	*out = transform_identity();
 	if (!(fabs(determinant) > 0) || !isfinite(1 / determinant))
 		return false;
-	/* The rows of the inverse of a matrix with columns x, y, z are the scaled cross products (Cramer). */
+	/* The rows of the inverse of a matrix with columns x, y, z are the scaled cross products
+	 * (Cramer). */
 	Vec3 i = vec3_scale(vec3_cross(y, z), 1 / determinant);
 	Vec3 j = vec3_scale(vec3_cross(z, x), 1 / determinant);
 	Vec3 k = vec3_scale(vec3_cross(x, y), 1 / determinant);
@@ -143,7 +145,8 @@ Box3 transform_box(const Transform *t, Box3 box)
 	for (int i = 0; i < 3; i++) {
 		lo[i] = hi[i] = t->m[i][3];
 		for (int j = 0; j < 3; j++) {
-			double a = product(t->m[i][j], vec3_axis(box.lo, j)), b = product(t->m[i][j], vec3_axis(box.hi, j));
+			double a = product(t->m[i][j], vec3_axis(box.lo, j)),
+			       b = product(t->m[i][j], vec3_axis(box.hi, j));
 			lo[i] += fmin(a, b);
 			hi[i] += fmax(a, b);
 		}

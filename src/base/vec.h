@@ -1,4 +1,5 @@
-/* Vectors and boxes in double precision: the renderer's geometry. Points and directions share one type. */
+/* Vectors and boxes in double precision: the renderer's geometry. Points and directions share one
+ * type. */
 #ifndef BASE_VEC_H
 #define BASE_VEC_H
 
@@ -49,9 +50,13 @@ static inline Vec3 vec3_max(Vec3 a, Vec3 b)
 static inline double vec3_axis(Vec3 a, int axis) { return axis == 0 ? a.x : axis == 1 ? a.y : a.z; }
 /* Mirror of the direction d at a plane with unit normal n. */
 static inline Vec3 vec3_reflect(Vec3 d, Vec3 n) { return vec3_mad(d, -2 * vec3_dot(d, n), n); }
-static inline bool vec3_is_finite(Vec3 a) { return isfinite(a.x) && isfinite(a.y) && isfinite(a.z); }
+static inline bool vec3_is_finite(Vec3 a)
+{
+	return isfinite(a.x) && isfinite(a.y) && isfinite(a.z);
+}
 
-/* Two unit tangents u, v such that (u, v, n) is a right-handed orthonormal frame; n is a unit vector. */
+/* Two unit tangents u, v such that (u, v, n) is a right-handed orthonormal frame; n is a unit
+ * vector. */
 static inline void vec3_frame(Vec3 n, Vec3 *u, Vec3 *v)
 {
 	double sign = copysign(1.0, n.z);
@@ -65,15 +70,22 @@ static inline Box3 box3_empty(void)
 	return (Box3){{INFINITY, INFINITY, INFINITY}, {-INFINITY, -INFINITY, -INFINITY}};
 }
 static inline Box3 box3_add(Box3 b, Vec3 p) { return (Box3){vec3_min(b.lo, p), vec3_max(b.hi, p)}; }
-static inline Box3 box3_union(Box3 a, Box3 b) { return (Box3){vec3_min(a.lo, b.lo), vec3_max(a.hi, b.hi)}; }
+static inline Box3 box3_union(Box3 a, Box3 b)
+{
+	return (Box3){vec3_min(a.lo, b.lo), vec3_max(a.hi, b.hi)};
+}
 static inline Box3 box3_intersect(Box3 a, Box3 b)
 {
 	return (Box3){vec3_max(a.lo, b.lo), vec3_min(a.hi, b.hi)};
 }
-static inline bool box3_is_empty(Box3 b) { return b.lo.x > b.hi.x || b.lo.y > b.hi.y || b.lo.z > b.hi.z; }
+static inline bool box3_is_empty(Box3 b)
+{
+	return b.lo.x > b.hi.x || b.lo.y > b.hi.y || b.lo.z > b.hi.z;
+}
 static inline bool box3_contains(Box3 b, Vec3 p)
 {
-	return p.x >= b.lo.x && p.x <= b.hi.x && p.y >= b.lo.y && p.y <= b.hi.y && p.z >= b.lo.z && p.z <= b.hi.z;
+	return p.x >= b.lo.x && p.x <= b.hi.x && p.y >= b.lo.y && p.y <= b.hi.y && p.z >= b.lo.z &&
+	       p.z <= b.hi.z;
 }
 
 #endif

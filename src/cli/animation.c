@@ -6,7 +6,9 @@
 /* Below 1 a share of the final frame's number, else a frame; not said: fallback. */
 static int first_frame(double said, int final_frame, int initial_frame)
 {
-	double frame = said < 0 ? initial_frame : said < 1 ? floor(said * final_frame) : floor(said);
+	double frame = said < 0   ? initial_frame
+		       : said < 1 ? floor(said * final_frame)
+				  : floor(said);
 	return frame > initial_frame ? (int)frame : initial_frame;
 }
 
@@ -24,7 +26,8 @@ Animation animation_plan(const Options *options)
 		final = initial;
 	if (final == 0)
 		return (Animation){.step = 1};
-	Animation a = {.active = true, .initial_frame = initial, .final_frame = final + options->cyclic};
+	Animation a = {
+		.active = true, .initial_frame = initial, .final_frame = final + options->cyclic};
 	a.first = first_frame(options->subset_start, a.final_frame, initial);
 	a.last = last_frame(options->subset_end, a.final_frame, final);
 	a.step = options->frame_step;

@@ -1,4 +1,5 @@
-/* The animation loop: which frames, their clock values and the digits of their file names, as POV-Ray counts them. */
+/* The animation loop: which frames, their clock values and the digits of their file names, as
+ * POV-Ray counts them. */
 #ifndef CLI_ANIMATION_H
 #define CLI_ANIMATION_H
 
@@ -6,7 +7,8 @@
 
 typedef struct Animation {
 	bool active;                      /* false: a single picture, all frame numbers 0 */
-	int initial_frame, final_frame;   /* as the scene sees them: a cyclic animation has one more */
+	int initial_frame,
+		final_frame; /* as the scene sees them: a cyclic animation has one more */
 	int first, last, step;            /* to render; the first always is */
 	int digits;                       /* of the frame number in file names */
 	double initial_clock, final_clock, clock_delta;

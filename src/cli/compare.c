@@ -31,7 +31,8 @@ static void print_usage(FILE *out)
 	      out);
 }
 
-/* A layer's channels in the order R, G, B, or the only one it has. NULL, reported, when it is not there. */
+/* A layer's channels in the order R, G, B, or the only one it has. NULL, reported, when it is not
+ * there. */
 static Image *layer_image(const ExrImage *exr, const char *path, const char *layer, Diag *diag)
 {
 	static const char *const endings[] = {"R", "G", "B", "X", "Y", "Z", "V"};
@@ -51,7 +52,10 @@ static Image *layer_image(const ExrImage *exr, const char *path, const char *lay
 		return NULL;
 	}
 	Image *image = calloc(1, sizeof *image);
-	*image = (Image){.width = exr->width, .height = exr->height, .channels = count < 3 ? 1 : 3, .linear = true};
+	*image = (Image){.width = exr->width,
+			 .height = exr->height,
+			 .channels = count < 3 ? 1 : 3,
+			 .linear = true};
 	size_t pixels = (size_t)image->width * image->height;
 	image->pixels = calloc(pixels * image->channels, sizeof *image->pixels);
 	for (size_t i = 0; i < pixels; i++)
@@ -80,12 +84,15 @@ static Image *prepare(const char *path, const Task *task, Diag *diag)
 	bool colors = !task->layer || strcmp(task->layer, "RGBA") == 0;
 	Image *image = colors ? image_read(path, diag) : read_layer(path, task->layer, diag);
 	if (image && task->crop) {
-		if (task->x + task->width > image->width || task->y + task->height > image->height) {
-			diag_fail(diag, "%s: the part lies outside the %d x %d pixels", path, image->width, image->height);
+		if (task->x + task->width > image->width ||
+		    task->y + task->height > image->height) {
+			diag_fail(diag, "%s: the part lies outside the %d x %d pixels", path,
+				  image->width, image->height);
 			image_destroy(image);
 			return NULL;
 		}
-		image = replace(image, image_crop(image, task->x, task->y, task->width, task->height));
+		image = replace(image,
+				image_crop(image, task->x, task->y, task->width, task->height));
 	}
 	if (image && task->halve && image->width > 1 && image->height > 1)
 		image = replace(image, image_halve(image));
@@ -104,7 +111,8 @@ static void print_difference(const ImageDifference *d, bool json)
 		else if (isfinite(rows[i].value))
 			printf("%s\"%s\": %.9g", i ? ", " : "{", rows[i].name, rows[i].value);
 		else
-			printf("%s\"%s\": null", i ? ", " : "{", rows[i].name); /* JSON knows no infinity */
+			printf("%s\"%s\": null", i ? ", " : "{",
+			       rows[i].name); /* JSON knows no infinity */
 	}
 	if (json)
 		puts("}");
@@ -137,20 +145,33 @@ static bool run(const Task *task, Diag *diag)
 static bool read_crop(const char *text, Task *task)
 {
 	char rest;
-	task->crop = sscanf(text, "%d,%d,%d,%d%c", &task->x, &task->y, &task->width, &task->height, &rest) == 4;
+	task->crop = sscanf(text, "%d,%d,%d,%d%c", &task->x, &task->y, &task->width, &task->height,
+			    &rest) == 4;
 	return task->crop && task->x >= 0 && task->y >= 0 && task->width > 0 && task->height > 0;
 }
 
-enum { OPTION_CROP = 1, OPTION_HALVE, OPTION_JSON, OPTION_LAYER, OPTION_MAP, OPTION_HELP, OPTION_VERSION };
+enum {
+	OPTION_CROP = 1,
+	OPTION_HALVE,
+	OPTION_JSON,
+	OPTION_LAYER,
+	OPTION_MAP,
+	OPTION_HELP,
+	OPTION_VERSION
+};
 
 /* 0 go on, 1 done well, -1 a mistake. */
 static int read_options(int argc, char **argv, Task *task)
 {
 	static const struct option options[] = {
-		{"crop", required_argument, NULL, OPTION_CROP}, {"halve", no_argument, NULL, OPTION_HALVE},
-		{"json", no_argument, NULL, OPTION_JSON}, {"layer", required_argument, NULL, OPTION_LAYER},
-		{"map", required_argument, NULL, OPTION_MAP}, {"help", no_argument, NULL, OPTION_HELP},
-		{"version", no_argument, NULL, OPTION_VERSION}, {NULL, 0, NULL, 0},
+		{"crop", required_argument, NULL, OPTION_CROP},
+		{"halve", no_argument, NULL, OPTION_HALVE},
+		{"json", no_argument, NULL, OPTION_JSON},
+		{"layer", required_argument, NULL, OPTION_LAYER},
+		{"map", required_argument, NULL, OPTION_MAP},
+		{"help", no_argument, NULL, OPTION_HELP},
+		{"version", no_argument, NULL, OPTION_VERSION},
+		{NULL, 0, NULL, 0},
 	};
 	int option;
 	while ((option = getopt_long(argc, argv, "", options, NULL)) != -1) {

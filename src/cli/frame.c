@@ -35,8 +35,10 @@ bool frame_region(const Options *options, FilmRect *out, Diag *diag)
 		diag_fail(diag, "a picture of %d x %d pixels cannot be rendered", width, height);
 		return false;
 	}
-	if (out->x0 >= width || out->x1 > width || out->x1 < 1 || out->y0 >= height || out->y1 > height || out->y1 < 1) {
-		diag_fail(diag, "the columns or rows to render lie outside the %d x %d pixels", width, height);
+	if (out->x0 >= width || out->x1 > width || out->x1 < 1 || out->y0 >= height ||
+	    out->y1 > height || out->y1 < 1) {
+		diag_fail(diag, "the columns or rows to render lie outside the %d x %d pixels",
+			  width, height);
 		return false;
 	}
 	return true;
@@ -80,10 +82,11 @@ static uint64_t resume_key(const FrameJob *job)
 {
 	const Options *o = job->options;
 	char text[512];
-	int length = snprintf(text, sizeof text, "%d %d %d %d %d %g %d %d %g %g %d %d %llu %g", o->width, o->height,
-	                      o->quality, o->antialias, o->sampling_method, o->threshold, o->depth, o->jitter,
-	                      o->jitter_amount, o->antialias_gamma, o->alpha, job->frame, (unsigned long long)o->seed,
-	                      animation_clock(job->animation, o, job->frame));
+	int length = snprintf(text, sizeof text, "%d %d %d %d %d %g %d %d %g %g %d %d %llu %g",
+			      o->width, o->height, o->quality, o->antialias, o->sampling_method,
+			      o->threshold, o->depth, o->jitter, o->jitter_amount,
+			      o->antialias_gamma, o->alpha, job->frame, (unsigned long long)o->seed,
+			      animation_clock(job->animation, o, job->frame));
 	uint64_t hash = hash_file(hash_text(0xcbf29ce484222325u, text, (size_t)length), o->input);
 	for (int i = 0; i < o->constant_count; i++) {
 		hash = hash_text(hash, o->constants[i].name, strlen(o->constants[i].name) + 1);
@@ -97,12 +100,23 @@ static ReaderOptions reader_options(const FrameJob *job, const LibraryPaths *lib
 	const Options *o = job->options;
 	const Animation *a = job->animation;
 	return (ReaderOptions){
-		.path = o->input, .library_paths = library->paths, .library_path_count = library->count,
-		.header_include = o->include_header, .constants = o->constants, .constant_count = o->constant_count,
-		.version = o->version, .clock = animation_clock(a, o, job->frame), .clock_delta = a->clock_delta,
-		.initial_clock = a->initial_clock, .final_clock = a->final_clock, .frame_number = job->frame,
-		.initial_frame = a->initial_frame, .final_frame = a->final_frame,
-		.clock_on = a->active || o->clock_said, .image_width = o->width, .image_height = o->height,
+		.path = o->input,
+		.library_paths = library->paths,
+		.library_path_count = library->count,
+		.header_include = o->include_header,
+		.constants = o->constants,
+		.constant_count = o->constant_count,
+		.version = o->version,
+		.clock = animation_clock(a, o, job->frame),
+		.clock_delta = a->clock_delta,
+		.initial_clock = a->initial_clock,
+		.final_clock = a->final_clock,
+		.frame_number = job->frame,
+		.initial_frame = a->initial_frame,
+		.final_frame = a->final_frame,
+		.clock_on = a->active || o->clock_said,
+		.image_width = o->width,
+		.image_height = o->height,
 		.allow_write_anywhere = o->allow_write,
 	};
 }
@@ -113,7 +127,8 @@ static bool build_scene(FrameWork *work)
 	const FrameJob *job = work->job;
 	LibraryPaths library = library_paths(job->options);
 	ReaderOptions options = reader_options(job, &library);
-	SceneBuilder builder = {.arena = arena_create(), .diag = job->diag, .settings = settings_default()};
+	SceneBuilder builder = {
+		.arena = arena_create(), .diag = job->diag, .settings = settings_default()};
 	builder.camera = camera_default((double)job->options->width / job->options->height);
 	double start = clock_wall();
 	interrupt_end_at_once(true);
@@ -159,7 +174,8 @@ static void on_progress(void *data, const RenderProgress *progress)
 	FrameWork *work = data;
 	const Options *options = work->job->options;
 	progress_show(&work->line, progress);
-	if (options->update > 0 && options->to_file && progress->seconds - work->last_update >= options->update &&
+	if (options->update > 0 && options->to_file &&
+	    progress->seconds - work->last_update >= options->update &&
 	    strcmp(work->path, "-") != 0) {
 		write_so_far(work);
 		work->last_update = progress->seconds;
@@ -172,7 +188,8 @@ static Status finish(FrameWork *work)
 	double start = clock_wall();
 	if (!work->job->options->to_file)
 		return STATUS_DONE;
-	bool good = output_write(work->job->options, work->film, &work->origin, work->path, work->job->diag);
+	bool good = output_write(work->job->options, work->film, &work->origin, work->path,
+				 work->job->diag);
 	work->statistics.write_seconds = clock_wall() - start;
 	if (good && work->job->options->resume)
 		unlink(work->state_path);
@@ -201,21 +218,25 @@ static Film *open_film(const FrameWork *work)
 		return film;
 	}
 	return film_create(options->width, options->height,
-	                   output_layers(options, work->scene->settings.photons.on || options->load_photons_file));
+			   output_layers(options, work->scene->settings.photons.on ||
+							  options->load_photons_file));
 }
 
 static PassOptions pass_options(const Options *options)
 {
 	return (PassOptions){
-		.save_file = options->photons_file, .load_file = options->load_photons_file,
-		.estimator = options->estimator_said ? &options->estimator : NULL, .passes = options->passes,
+		.save_file = options->photons_file,
+		.load_file = options->load_photons_file,
+		.estimator = options->estimator_said ? &options->estimator : NULL,
+		.passes = options->passes,
 	};
 }
 
 static Status trace(FrameWork *work)
 {
 	RenderOptions options = render_options(work);
-	RenderCallbacks callbacks = {.progress = on_progress, .data = work, .stop = interrupt_flag()};
+	RenderCallbacks callbacks = {
+		.progress = on_progress, .data = work, .stop = interrupt_flag()};
 	double start = clock_wall();
 	work->film = open_film(work);
 	if (!work->film)
@@ -226,7 +247,9 @@ static Status trace(FrameWork *work)
 	work->statistics.trace_seconds = clock_wall() - start;
 	work->origin.passes = work->statistics.passes;
 	progress_clear(&work->line);
-	return status == RENDER_DONE ? finish(work) : status == RENDER_STOPPED ? stop(work) : STATUS_FAILED;
+	return status == RENDER_DONE      ? finish(work)
+	       : status == RENDER_STOPPED ? stop(work)
+					  : STATUS_FAILED;
 }
 
 /* Better told before hours of rendering than after. */
@@ -236,7 +259,9 @@ static bool can_write(const FrameWork *work)
 	char *folder = slash ? strndup(work->path, (size_t)(slash - work->path + 1)) : strdup(".");
 	bool good = strcmp(work->path, "-") == 0 || access(folder, W_OK) == 0;
 	if (!good)
-		diag_fail(work->job->diag, "%s: cannot be written: no such folder, or no right to write there", work->path);
+		diag_fail(work->job->diag,
+			  "%s: cannot be written: no such folder, or no right to write there",
+			  work->path);
 	free(folder);
 	return good;
 }
@@ -244,8 +269,9 @@ static bool can_write(const FrameWork *work)
 /* +C leaves alone what an earlier run has finished. */
 static bool is_finished(const FrameWork *work)
 {
-	return work->job->options->resume && work->job->options->to_file && strcmp(work->path, "-") != 0 &&
-	       access(work->path, F_OK) == 0 && access(work->state_path, F_OK) != 0;
+	return work->job->options->resume && work->job->options->to_file &&
+	       strcmp(work->path, "-") != 0 && access(work->path, F_OK) == 0 &&
+	       access(work->state_path, F_OK) != 0;
 }
 
 static Status run_work(FrameWork *work)
@@ -269,9 +295,11 @@ static Status run_work(FrameWork *work)
 static ImageRegion named_region(const FrameJob *job)
 {
 	const FilmRect *r = &job->region;
-	bool whole = r->x0 <= 0 && r->y0 <= 0 && r->x1 == job->options->width && r->y1 == job->options->height;
+	bool whole = r->x0 <= 0 && r->y0 <= 0 && r->x1 == job->options->width &&
+		     r->y1 == job->options->height;
 	return whole ? (ImageRegion){0}
-	             : (ImageRegion){r->x0, r->y0, r->x1 > r->x0 ? r->x1 : r->x0, r->y1 > r->y0 ? r->y1 : r->y0};
+		     : (ImageRegion){r->x0, r->y0, r->x1 > r->x0 ? r->x1 : r->x0,
+				     r->y1 > r->y0 ? r->y1 : r->y0};
 }
 
 Status frame_render(const FrameJob *job, FrameStatistics *sum)
@@ -282,8 +310,10 @@ Status frame_render(const FrameJob *job, FrameStatistics *sum)
 	work.state_path = arena_printf(options->arena, "%s.state", work.path);
 	work.key = resume_key(job);
 	work.line = progress_line(!options->verbose_said || options->verbose);
-	work.origin = (OutputOrigin){.scene = options->input, .switches = job->switches, .seed = options->seed,
-	                             .region = named_region(job)};
+	work.origin = (OutputOrigin){.scene = options->input,
+				     .switches = job->switches,
+				     .seed = options->seed,
+				     .region = named_region(job)};
 	Status status = run_work(&work);
 	film_destroy(work.film);
 	scene_destroy(work.scene);

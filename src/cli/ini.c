@@ -1,4 +1,5 @@
-/* INI files: keys, switches and file names, several words a line; sections; ; and # start comments outside quotes. */
+/* INI files: keys, switches and file names, several words a line; sections; ; and # start comments
+ * outside quotes. */
 #include <ctype.h>
 #include <errno.h>
 #include <stdio.h>
@@ -138,7 +139,8 @@ bool options_read_ini(Options *options, const char *name, Diag *diag)
 	IniReader reader = {.options = options, .diag = diag, .active = true};
 	const char *bracket = strrchr(name, '['), *end = bracket ? strchr(bracket, ']') : NULL;
 	if (bracket && end && end[1] == 0) {
-		reader.section = arena_strndup(options->arena, bracket + 1, (size_t)(end - bracket - 1));
+		reader.section = arena_strndup(options->arena, bracket + 1,
+					       (size_t)(end - bracket - 1));
 		name = arena_strndup(options->arena, name, (size_t)(bracket - name));
 	}
 	if (options->ini_depth >= MAXIMUM_DEPTH) {
@@ -159,9 +161,11 @@ bool options_read_ini(Options *options, const char *name, Diag *diag)
 
 static void write_flags(const Options *o, FILE *out)
 {
-	const struct { const char *key; bool value; } flags[] = {
-		{"Antialias", o->antialias}, {"Continue_Trace", o->resume}, {"Cyclic_Animation", o->cyclic},
-		{"Dither", o->dither}, {"Jitter", o->jitter}, {"Output_Alpha", o->alpha},
+	const struct { const char *key; bool value;
+	} flags[] = {
+		{"Antialias", o->antialias},     {"Continue_Trace", o->resume},
+		{"Cyclic_Animation", o->cyclic}, {"Dither", o->dither},
+		{"Jitter", o->jitter},           {"Output_Alpha", o->alpha},
 		{"Output_To_File", o->to_file},
 	};
 	for (size_t i = 0; i < sizeof flags / sizeof *flags; i++)
@@ -170,17 +174,31 @@ static void write_flags(const Options *o, FILE *out)
 
 static void write_numbers(const Options *o, FILE *out)
 {
-	const struct { const char *key; double value, unsaid; } numbers[] = {
-		{"Antialias_Depth", o->depth, -1}, {"Antialias_Gamma", o->antialias_gamma, -1},
-		{"Antialias_Threshold", o->threshold, -1}, {"Bits_Per_Color", o->bits, -1},
-		{"Clock", o->clock, o->clock_said ? o->clock - 1 : o->clock}, {"End_Column", o->end_column, -1},
-		{"End_Row", o->end_row, -1}, {"Final_Clock", o->final_clock, 1}, {"Final_Frame", o->final_frame, -1},
-		{"Frame_Step", o->frame_step, 1}, {"Height", o->height, -1}, {"Initial_Clock", o->initial_clock, 0},
-		{"Initial_Frame", o->initial_frame, -1}, {"Jitter_Amount", o->jitter_amount, -1},
-		{"Quality", o->quality, -1}, {"Sampling_Method", o->sampling_method, -1},
-		{"Start_Column", o->start_column, -1}, {"Start_Row", o->start_row, -1},
-		{"Subset_End_Frame", o->subset_end, -1}, {"Subset_Start_Frame", o->subset_start, -1},
-		{"Version", o->version, 0}, {"Width", o->width, -1}, {"Work_Threads", o->threads, 0},
+	const struct { const char *key; double value, unsaid;
+	} numbers[] = {
+		{"Antialias_Depth", o->depth, -1},
+		{"Antialias_Gamma", o->antialias_gamma, -1},
+		{"Antialias_Threshold", o->threshold, -1},
+		{"Bits_Per_Color", o->bits, -1},
+		{"Clock", o->clock, o->clock_said ? o->clock - 1 : o->clock},
+		{"End_Column", o->end_column, -1},
+		{"End_Row", o->end_row, -1},
+		{"Final_Clock", o->final_clock, 1},
+		{"Final_Frame", o->final_frame, -1},
+		{"Frame_Step", o->frame_step, 1},
+		{"Height", o->height, -1},
+		{"Initial_Clock", o->initial_clock, 0},
+		{"Initial_Frame", o->initial_frame, -1},
+		{"Jitter_Amount", o->jitter_amount, -1},
+		{"Quality", o->quality, -1},
+		{"Sampling_Method", o->sampling_method, -1},
+		{"Start_Column", o->start_column, -1},
+		{"Start_Row", o->start_row, -1},
+		{"Subset_End_Frame", o->subset_end, -1},
+		{"Subset_Start_Frame", o->subset_start, -1},
+		{"Version", o->version, 0},
+		{"Width", o->width, -1},
+		{"Work_Threads", o->threads, 0},
 	};
 	for (size_t i = 0; i < sizeof numbers / sizeof *numbers; i++)
 		if (numbers[i].value != numbers[i].unsaid)
@@ -190,8 +208,8 @@ static void write_numbers(const Options *o, FILE *out)
 static void write_texts(const Options *o, FILE *out)
 {
 	for (int i = 0; i < o->constant_count; i++)
-		fprintf(out, o->constants[i].is_string ? "Declare=%s=\"%s\"\n" : "Declare=%s=%s\n", o->constants[i].name,
-		        o->constants[i].text);
+		fprintf(out, o->constants[i].is_string ? "Declare=%s=\"%s\"\n" : "Declare=%s=%s\n",
+			o->constants[i].name, o->constants[i].text);
 	if (o->include_header)
 		fprintf(out, "Include_Header=\"%s\"\n", o->include_header);
 	if (o->input)

@@ -1,4 +1,5 @@
-/* SIGINT and SIGTERM: the first asks the work at hand to stop, a second ends the program at once, with status 2. */
+/* SIGINT and SIGTERM: the first asks the work at hand to stop, a second ends the program at once,
+ * with status 2. */
 #ifndef CLI_INTERRUPT_H
 #define CLI_INTERRUPT_H
 

@@ -19,7 +19,9 @@ static void add(LibraryPaths *library, const char *path)
 LibraryPaths library_paths(const Options *options)
 {
 	static const char *const installed[] = {
-		POVRAY_INCLUDES, "/usr/share/povray-3.7/include", "/usr/local/share/povray-3.7/include",
+		POVRAY_INCLUDES,
+		"/usr/share/povray-3.7/include",
+		"/usr/local/share/povray-3.7/include",
 	};
 	LibraryPaths library = {.count = 0};
 	for (int i = 0; i < options->library_path_count; i++)

@@ -11,8 +11,9 @@ typedef struct LibraryPaths {
 	int count;
 } LibraryPaths;
 
-/* First +L and Library_Path in their order, then the environment's COGNAC_LIBRARY_PATH (apart by colons), then the
- * folders where POV-Ray's own includes are installed. Strings live in the options' arena. */
+/* First +L and Library_Path in their order, then the environment's COGNAC_LIBRARY_PATH (apart by
+ * colons), then the folders where POV-Ray's own includes are installed. Strings live in the
+ * options' arena. */
 LibraryPaths library_paths(const Options *options);
 
 #endif

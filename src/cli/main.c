@@ -45,7 +45,8 @@ static const char *joined(Arena *arena, int count, char **words)
 	return text;
 }
 
-/* The INI file that every run starts with: the environment's POVINI, else povray.ini here, else the user's. */
+/* The INI file that every run starts with: the environment's POVINI, else povray.ini here, else the
+ * user's. */
 static bool read_first_ini(Options *options, Diag *diag)
 {
 	const char *named = getenv("POVINI"), *home = getenv("HOME");
@@ -57,7 +58,8 @@ static bool read_first_ini(Options *options, Diag *diag)
 		return options_read_ini(options, named, diag);
 	if (access("povray.ini", R_OK) == 0)
 		return options_read_ini(options, "povray.ini", diag);
-	const char *own = home ? arena_printf(options->arena, "%s/.povray/3.7/povray.ini", home) : "";
+	const char *own = home ? arena_printf(options->arena, "%s/.povray/3.7/povray.ini", home)
+			       : "";
 	return access(own, R_OK) != 0 || options_read_ini(options, own, diag);
 }
 

@@ -1,6 +1,7 @@
 /*
- * cognac-merge: puts the parts of one picture together that several runs rendered (+SR, +ER, +SC, +EC). The parts are PNG or
- * OpenEXR files; each names the pixels it holds. The result has the bits of a picture that one run rendered.
+ * cognac-merge: puts the parts of one picture together that several runs rendered (+SR, +ER, +SC,
+ * +EC). The parts are PNG or OpenEXR files; each names the pixels it holds. The result has the bits
+ * of a picture that one run rendered.
  */
 #include <getopt.h>
 #include <math.h>
@@ -42,7 +43,8 @@ static bool is_exr(const char *path)
 	static const char magic[4] = "\x76\x2f\x31\x01";
 	char bytes[4] = "";
 	FILE *file = fopen(path, "rb");
-	bool found = file && fread(bytes, sizeof bytes, 1, file) == 1 && memcmp(bytes, magic, sizeof magic) == 0;
+	bool found = file && fread(bytes, sizeof bytes, 1, file) == 1 &&
+		     memcmp(bytes, magic, sizeof magic) == 0;
 	if (file)
 		fclose(file);
 	return found;
@@ -82,7 +84,8 @@ static bool part_read(Part *part, Diag *diag)
 	}
 	if (region_fits(part))
 		return true;
-	diag_fail(diag, "%s: no part of a picture: it does not say which pixels it holds", part->path);
+	diag_fail(diag, "%s: no part of a picture: it does not say which pixels it holds",
+		  part->path);
 	return false;
 }
 
@@ -104,7 +107,8 @@ static bool planes_match(const Part *a, const Part *b)
 		for (int i = 0; i < a->exr->channel_count; i++)
 			if (strcmp(a->exr->channels[i].name, b->exr->channels[i].name) != 0)
 				return false;
-	return a->exr || (a->image->bits == b->image->bits && fabs(a->image->gamma - b->image->gamma) < 1e-3);
+	return a->exr ||
+	       (a->image->bits == b->image->bits && fabs(a->image->gamma - b->image->gamma) < 1e-3);
 }
 
 static bool parts_match(const Part *a, const Part *b)
@@ -113,7 +117,8 @@ static bool parts_match(const Part *a, const Part *b)
 	       plane_count(a) == plane_count(b) && planes_match(a, b);
 }
 
-/* Where two parts hold the same pixel they must agree on it, else they are of different pictures. */
+/* Where two parts hold the same pixel they must agree on it, else they are of different pictures.
+ */
 static bool merge_pixel(Merge *merge, const Part *part, size_t pixel)
 {
 	for (int plane = 0; plane < plane_count(part); plane++) {
@@ -130,13 +135,16 @@ static bool merge_part(Merge *merge, const Part *part)
 {
 	const ImageRegion *r = &part->region;
 	if (!parts_match(&merge->whole, part)) {
-		diag_fail(merge->diag, "%s and %s differ in size, format or layers", merge->whole.path, part->path);
+		diag_fail(merge->diag, "%s and %s differ in size, format or layers",
+			  merge->whole.path, part->path);
 		return false;
 	}
 	for (int y = r->y0; y < r->y1; y++)
 		for (int x = r->x0; x < r->x1; x++)
 			if (!merge_pixel(merge, part, (size_t)y * part->width + x)) {
-				diag_fail(merge->diag, "%s holds another pixel %d, %d than an earlier part", part->path, x, y);
+				diag_fail(merge->diag,
+					  "%s holds another pixel %d, %d than an earlier part",
+					  part->path, x, y);
 				return false;
 			}
 	return true;
@@ -155,8 +163,8 @@ static bool is_complete(const Merge *merge)
 	size_t count = (size_t)merge->whole.width * merge->whole.height;
 	for (size_t i = 0; i < count; i++)
 		if (!merge->covered[i]) {
-			diag_fail(merge->diag, "no part holds the pixel %d, %d", (int)(i % merge->whole.width),
-			          (int)(i / merge->whole.width));
+			diag_fail(merge->diag, "no part holds the pixel %d, %d",
+				  (int)(i % merge->whole.width), (int)(i / merge->whole.width));
 			return false;
 		}
 	return true;
@@ -170,7 +178,8 @@ static bool write_exr(const Merge *merge, const char *path)
 	int count = 0;
 	for (int i = 0; i < out.attribute_count; i++) {
 		const char *name = out.attributes[i].name;
-		if (strcmp(name, "region") != 0 && strcmp(name, "name") != 0 && strcmp(name, "type") != 0)
+		if (strcmp(name, "region") != 0 && strcmp(name, "name") != 0 &&
+		    strcmp(name, "type") != 0)
 			kept[count++] = out.attributes[i];
 	}
 	out.attributes = kept;
@@ -184,15 +193,20 @@ static bool write_exr(const Merge *merge, const char *path)
 static Image four_channels(const Image *image)
 {
 	size_t count = (size_t)image->width * image->height;
-	Image out = {.width = image->width, .height = image->height, .channels = CHANNELS_RGBA, .linear = image->linear,
-	             .bits = image->bits, .gamma = image->gamma};
+	Image out = {.width = image->width,
+		     .height = image->height,
+		     .channels = CHANNELS_RGBA,
+		     .linear = image->linear,
+		     .bits = image->bits,
+		     .gamma = image->gamma};
 	out.pixels = memory_alloc(count * CHANNELS_RGBA * sizeof *out.pixels);
 	bool gray = image->channels < CHANNELS_RGB, alpha = image->channels % 2 == 0;
 	for (size_t i = 0; i < count; i++) {
 		const float *from = image->pixels + i * image->channels;
 		for (int c = 0; c < CHANNELS_RGB; c++)
 			out.pixels[CHANNELS_RGBA * i + c] = from[gray ? 0 : c];
-		out.pixels[CHANNELS_RGBA * i + CHANNELS_RGB] = alpha ? from[image->channels - 1] : 1;
+		out.pixels[CHANNELS_RGBA * i + CHANNELS_RGB] = alpha ? from[image->channels - 1]
+								     : 1;
 	}
 	return out;
 }
@@ -216,7 +230,8 @@ static bool run(const char *output, int count, char **paths, Diag *diag)
 	Merge merge = {.whole = {.path = paths[0]}, .diag = diag};
 	bool good = part_read(&merge.whole, diag);
 	if (good) {
-		merge.covered = calloc((size_t)merge.whole.width * merge.whole.height, sizeof *merge.covered);
+		merge.covered = calloc((size_t)merge.whole.width * merge.whole.height,
+				       sizeof *merge.covered);
 		good = merge.covered && merge_part(&merge, &merge.whole);
 	}
 	for (int i = 1; i < count && good; i++)

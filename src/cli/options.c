@@ -7,12 +7,15 @@
 #include <strings.h>
 
 typedef enum KeyKind {
-	KEY_FLAG,      /* bool */
-	KEY_WHOLE,     /* int; "493.0023" is cut to 493, as POV-Ray does */
-	KEY_REAL,      /* double */
-	KEY_TEXT,      /* const char * */
-	KEY_CALL,      /* a function of its own */
-	KEY_NOTHING_FLAG, KEY_NOTHING_WHOLE, KEY_NOTHING_REAL, KEY_NOTHING_TEXT /* taken, means nothing here */
+	KEY_FLAG, /* bool */
+	KEY_WHOLE, /* int; "493.0023" is cut to 493, as POV-Ray does */
+	KEY_REAL, /* double */
+	KEY_TEXT, /* const char * */
+	KEY_CALL, /* a function of its own */
+	KEY_NOTHING_FLAG,
+	KEY_NOTHING_WHOLE,
+	KEY_NOTHING_REAL,
+	KEY_NOTHING_TEXT /* taken, means nothing here */
 } KeyKind;
 
 typedef bool KeyCall(Options *options, const char *value);
@@ -25,8 +28,9 @@ typedef struct Key {
 	KeyCall *call;
 } Key;
 
-static KeyCall set_file_type, set_gamma, set_clock, set_declare, set_library_path, set_dither_method, set_create_ini,
-	set_verbose, set_jitter, set_all_console, set_version, set_statistics_file, set_block_size;
+static KeyCall set_file_type, set_gamma, set_clock, set_declare, set_library_path,
+	set_dither_method, set_create_ini, set_verbose, set_jitter, set_all_console, set_version,
+	set_statistics_file, set_block_size;
 
 #define FIELD(name) offsetof(Options, name)
 #define NOTHING(kind) KEY_NOTHING_##kind, 0, 0, 0, NULL
@@ -143,14 +147,37 @@ static const Key keys[] = {
 Options options_default(Arena *arena)
 {
 	Options options = {
-		.arena = arena, .width = 800, .height = 600,
-		.start_column = -1, .end_column = -1, .start_row = -1, .end_row = -1,
-		.to_file = true, .file_type = "N", .format = IMAGE_PNG, .bits = 8, .file_gamma = -1,
-		.quality = 9, .sampling_method = 1, .threshold = 0.3, .depth = 3, .jitter = true, .jitter_amount = 1,
+		.arena = arena,
+		.width = 800,
+		.height = 600,
+		.start_column = -1,
+		.end_column = -1,
+		.start_row = -1,
+		.end_row = -1,
+		.to_file = true,
+		.file_type = "N",
+		.format = IMAGE_PNG,
+		.bits = 8,
+		.file_gamma = -1,
+		.quality = 9,
+		.sampling_method = 1,
+		.threshold = 0.3,
+		.depth = 3,
+		.jitter = true,
+		.jitter_amount = 1,
 		.antialias_gamma = 2.5,
-		.initial_frame = -1, .final_frame = -1, .final_clock = 1, .subset_start = -1, .subset_end = -1,
-		.frame_step = 1, .show_debug = true, .show_render = true, .show_statistics = true,
-		.show_warnings = true, .warning_level = 10, .ignored = "",
+		.initial_frame = -1,
+		.final_frame = -1,
+		.final_clock = 1,
+		.subset_start = -1,
+		.subset_end = -1,
+		.frame_step = 1,
+		.show_debug = true,
+		.show_render = true,
+		.show_statistics = true,
+		.show_warnings = true,
+		.warning_level = 10,
+		.ignored = "",
 	};
 	return options;
 }
@@ -184,23 +211,25 @@ static double clamped(const Key *key, double value)
 static void ignore(Options *options, const char *name)
 {
 	if (!strstr(options->ignored, name))
-		options->ignored = arena_printf(options->arena, "%s%s%s", options->ignored, *options->ignored ? ", " : "",
-		                                name);
+		options->ignored = arena_printf(options->arena, "%s%s%s", options->ignored,
+						*options->ignored ? ", " : "", name);
 }
 
 static bool set_field(Options *options, const Key *key, const char *value)
 {
 	char *field = (char *)options + key->field;
 	double number = 0;
-	bool numeric = key->kind == KEY_WHOLE || key->kind == KEY_REAL || key->kind == KEY_NOTHING_WHOLE ||
-	               key->kind == KEY_NOTHING_REAL;
+	bool numeric = key->kind == KEY_WHOLE || key->kind == KEY_REAL ||
+		       key->kind == KEY_NOTHING_WHOLE || key->kind == KEY_NOTHING_REAL;
 	if (numeric && !read_number(value, &number))
 		return false;
 	switch (key->kind) {
 	case KEY_FLAG: *(bool *)field = options_truth(value); return true;
 	case KEY_WHOLE: *(int *)field = (int)clamped(key, number); return true;
 	case KEY_REAL: *(double *)field = clamped(key, number); return true;
-	case KEY_TEXT: *(const char **)field = arena_strdup(options->arena, value); return *value != 0;
+	case KEY_TEXT:
+		*(const char **)field = arena_strdup(options->arena, value);
+		return *value != 0;
 	case KEY_CALL: return key->call(options, value);
 	case KEY_NOTHING_FLAG:
 		if (options_truth(value))
@@ -232,9 +261,10 @@ bool options_set(Options *options, const char *name, const char *value, Diag *di
 /* A letter and, for PNG and PPM, bits per colour; bits outside 5 to 16 are moved inside. */
 static bool set_file_type(Options *options, const char *value)
 {
-	static const struct { char letter; ImageFormat format; } types[] = {
-		{'B', IMAGE_BMP}, {'C', IMAGE_TGA_RLE}, {'E', IMAGE_EXR}, {'J', IMAGE_JPEG}, {'N', IMAGE_PNG},
-		{'P', IMAGE_PPM}, {'T', IMAGE_TGA},
+	static const struct { char letter; ImageFormat format;
+	} types[] = {
+		{'B', IMAGE_BMP}, {'C', IMAGE_TGA_RLE}, {'E', IMAGE_EXR}, {'J', IMAGE_JPEG},
+		{'N', IMAGE_PNG}, {'P', IMAGE_PPM},     {'T', IMAGE_TGA},
 	};
 	double bits = options->bits;
 	if (value[0] && value[1] && !read_number(value + 1, &bits))
@@ -299,14 +329,16 @@ static bool set_jitter(Options *options, const char *value)
 static bool set_all_console(Options *options, const char *value)
 {
 	bool shown = options_truth(value);
-	options->show_debug = options->show_render = options->show_statistics = options->show_warnings = shown;
+	options->show_debug = options->show_render = options->show_statistics =
+		options->show_warnings = shown;
 	return true;
 }
 
 static bool set_statistics_file(Options *options, const char *value)
 {
 	static const char *const refusals[] = {"no", "off", "false", "0"};
-	options->statistics_file = arena_strdup(options->arena, options_truth(value) ? "STATS.OUT" : value);
+	options->statistics_file = arena_strdup(options->arena,
+						options_truth(value) ? "STATS.OUT" : value);
 	for (size_t i = 0; i < sizeof refusals / sizeof *refusals; i++)
 		if (strcasecmp(value, refusals[i]) == 0)
 			options->statistics_file = NULL;

@@ -1,7 +1,8 @@
 /*
- * Everything that POV-Ray's switches, INI keys and our long options can say. One table maps INI keys to fields (options.c),
- * one maps switches to keys (switches.c); both accept and reject what POV-Ray 3.7 accepts and rejects. Later words
- * override earlier ones. Strings live in the options' arena.
+ * Everything that POV-Ray's switches, INI keys and our long options can say. One table maps INI
+ * keys to fields (options.c), one maps switches to keys (switches.c); both accept and reject what
+ * POV-Ray 3.7 accepts and rejects. Later words override earlier ones. Strings live in the options'
+ * arena.
  */
 #ifndef CLI_OPTIONS_H
 #define CLI_OPTIONS_H
@@ -17,7 +18,12 @@
 
 /* When a shell command runs, in the order of their key names. */
 typedef enum ShellMoment {
-	SHELL_PRE_SCENE, SHELL_PRE_FRAME, SHELL_POST_FRAME, SHELL_POST_SCENE, SHELL_USER_ABORT, SHELL_FATAL_ERROR,
+	SHELL_PRE_SCENE,
+	SHELL_PRE_FRAME,
+	SHELL_POST_FRAME,
+	SHELL_POST_SCENE,
+	SHELL_USER_ABORT,
+	SHELL_FATAL_ERROR,
 	SHELL_MOMENT_COUNT
 } ShellMoment;
 
@@ -35,7 +41,8 @@ typedef struct Options {
 	double version;             /* of the language; 0: not said */
 
 	int width, height;
-	double start_column, end_column, start_row, end_row; /* as said: below 1 a share; negative: not said */
+	double start_column, end_column, start_row,
+		end_row; /* as said: below 1 a share; negative: not said */
 
 	bool to_file;
 	const char *file_type;      /* the letter and bits as said: "N8" */
@@ -73,16 +80,17 @@ typedef struct Options {
 	Estimator estimator; bool estimator_said;     /* --estimator */
 	int passes;                 /* --passes; 0: as the scene says */
 	const char *stats;          /* --stats: JSON to this file, or NULL */
-	double update;              /* --update: seconds between rewritings of the output file; 0: never */
+	double update; /* --update: seconds between rewritings of the output file; 0: never */
 	bool allow_shell, allow_write;
 	bool help, show_version;    /* print and end */
-	const char *ignored;        /* names of keys that were taken and mean nothing here; "" none */
+	const char *ignored; /* names of keys that were taken and mean nothing here; "" none */
 	int ini_depth;              /* INI files being read within each other */
 } Options;
 
 Options options_default(Arena *arena);
 
-/* KEY=VALUE as in an INI file, key in any case. False, reported, for unknown keys and values that do not fit. */
+/* KEY=VALUE as in an INI file, key in any case. False, reported, for unknown keys and values that
+ * do not fit. */
 bool options_set(Options *options, const char *key, const char *value, Diag *diag);
 /* +W320 and the like. */
 bool options_switch(Options *options, const char *word, Diag *diag);
@@ -91,8 +99,9 @@ bool options_word(Options *options, const char *word, Diag *diag);
 /* The whole command line: words and long options. */
 bool options_command_line(Options *options, int count, char **words, Diag *diag);
 
-/* Reads an INI file, or one section of it after the lines before its first: "file.ini" or "file.ini[section]". Looked for
- * in the working directory, then along the library paths. (ini.c) */
+/* Reads an INI file, or one section of it after the lines before its first: "file.ini" or
+ * "file.ini[section]". Looked for in the working directory, then along the library paths. (ini.c)
+ */
 bool options_read_ini(Options *options, const char *name, Diag *diag);
 /* Writes all that was said as an INI file. */
 bool options_write_ini(const Options *options, const char *path, Diag *diag);

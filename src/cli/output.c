@@ -28,7 +28,8 @@ const char *output_scene_name(const Options *options)
 	return arena_strndup(options->arena, base, stem_length(base));
 }
 
-/* The path up to the frame number. Only the format's own extension is taken off, as POV-Ray does. */
+/* The path up to the frame number. Only the format's own extension is taken off, as POV-Ray does.
+ */
 static const char *output_stem(const Options *options)
 {
 	const char *said = options->output, *extension = image_format_extension(options->format);
@@ -57,8 +58,8 @@ const char *output_path(const Options *options, const Animation *animation, int 
 	return arena_printf(options->arena, "%s%0*d%s", stem, animation->digits, frame, extension);
 }
 
-/* The transfer that leads from the scene's working space to linear light. Scenes before version 3.7 that say nothing
- * are shown as they compute: their values count as sRGB's. */
+/* The transfer that leads from the scene's working space to linear light. Scenes before version 3.7
+ * that say nothing are shown as they compute: their values count as sRGB's. */
 static double working_gamma(const Settings *settings)
 {
 	if (settings->assumed_gamma != 0)
@@ -69,7 +70,10 @@ static double working_gamma(const Settings *settings)
 /* The film's picture in linear light, not premultiplied. */
 static Image linear_image(const Film *film, const Settings *settings)
 {
-	Image image = {.width = film_width(film), .height = film_height(film), .channels = 4, .linear = true};
+	Image image = {.width = film_width(film),
+		       .height = film_height(film),
+		       .channels = 4,
+		       .linear = true};
 	size_t count = (size_t)image.width * image.height;
 	double gamma = working_gamma(settings);
 	const float *from = film_pixels(film, FILM_COLOR);
@@ -77,7 +81,8 @@ static Image linear_image(const Film *film, const Settings *settings)
 	for (size_t i = 0; i < count; i++) {
 		float alpha = from[4 * i + 3], scale = alpha > 0 && alpha < 1 ? 1 / alpha : 1;
 		for (int c = 0; c < 3; c++)
-			image.pixels[4 * i + c] = (float)image_transfer_decode(from[4 * i + c] * scale, gamma);
+			image.pixels[4 * i + c] = (float)image_transfer_decode(
+				from[4 * i + c] * scale, gamma);
 		image.pixels[4 * i + 3] = alpha;
 	}
 	return image;
@@ -118,8 +123,8 @@ static void premultiply(Image *image)
 			image->pixels[i] *= image->pixels[i | 3];
 }
 
-static bool write_layers(const Options *options, const Film *film, const OutputOrigin *origin, const char *path,
-                         Diag *diag)
+static bool write_layers(const Options *options, const Film *film, const OutputOrigin *origin,
+			 const char *path, Diag *diag)
 {
 	Arena *arena = arena_create();
 	Image color = linear_image(film, origin->settings);
@@ -132,20 +137,25 @@ static bool write_layers(const Options *options, const Film *film, const OutputO
 		for (int c = 0; film_has(film, layer) && c < width; c++) {
 			if (layer == FILM_COLOR && c == 3 && !options->alpha)
 				continue;
-			channels[count++] = (ExrChannel){.name = channel_name(arena, layer, c), .data = (float *)pixels + c,
-			                                 .stride = width, .half = layer != FILM_DEPTH};
+			channels[count++] = (ExrChannel){.name = channel_name(arena, layer, c),
+							 .data = (float *)pixels + c,
+							 .stride = width,
+							 .half = layer != FILM_DEPTH};
 		}
 	}
 	char region[IMAGE_REGION_TEXT];
 	image_region_write(&origin->region, region);
 	ExrAttribute attributes[8] = {
-		{"scene", origin->scene}, {"seed", arena_printf(arena, "%llu", (unsigned long long)origin->seed)},
+		{"scene", origin->scene},
+		{"seed", arena_printf(arena, "%llu", (unsigned long long)origin->seed)},
 		{"passes", arena_printf(arena, "%u", film_passes(film) ? film_passes(film) : 1)},
-		{"switches", origin->switches}, {"software", PACKAGE_STRING},
+		{"switches", origin->switches},
+		{"software", PACKAGE_STRING},
 		{"photons", arena_printf(arena, "%llu", (unsigned long long)film_photons(film))},
 		{"radius", arena_printf(arena, "%.9g", origin->passes.radius)},
 	};
-	int attribute_count = origin->passes.has_photons ? 7 : 5; /* the last two are about photons */
+	int attribute_count = origin->passes.has_photons ? 7
+							 : 5; /* the last two are about photons */
 	if (image_region_is_part(&origin->region))
 		attributes[attribute_count++] = (ExrAttribute){"region", region};
 	ExrImage image = {color.width, color.height, count, channels, attribute_count, attributes};
@@ -155,13 +165,19 @@ static bool write_layers(const Options *options, const Film *film, const OutputO
 	return good;
 }
 
-bool output_write(const Options *options, const Film *film, const OutputOrigin *origin, const char *path, Diag *diag)
+bool output_write(const Options *options, const Film *film, const OutputOrigin *origin,
+		  const char *path, Diag *diag)
 {
 	if (options->format == IMAGE_EXR)
 		return write_layers(options, film, origin, path, diag);
 	ImageEncoding encoding = {
-		.format = options->format, .bits = options->bits, .alpha = options->alpha, .gray = options->gray,
-		.dither = options->dither, .gamma = options->file_gamma, .quality = options->compression,
+		.format = options->format,
+		.bits = options->bits,
+		.alpha = options->alpha,
+		.gray = options->gray,
+		.dither = options->dither,
+		.gamma = options->file_gamma,
+		.quality = options->compression,
 		.region = origin->region,
 	};
 	Image image = linear_image(film, origin->settings);

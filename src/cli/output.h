@@ -7,8 +7,8 @@
 #include "render/passes.h"
 #include "scene/scene.h"
 
-/* The file of a frame: the scene's own name unless another was said, the frame's number, the format's extension. "-" stays
- * as it is. Lives in the options' arena. */
+/* The file of a frame: the scene's own name unless another was said, the frame's number, the
+ * format's extension. "-" stays as it is. Lives in the options' arena. */
 const char *output_path(const Options *options, const Animation *animation, int frame);
 
 /* The scene's name without folders and extension. */
@@ -27,6 +27,7 @@ typedef struct OutputOrigin {
 unsigned output_layers(const Options *options, bool photons);
 
 /* Beside, then renamed. False on failure, reported. */
-bool output_write(const Options *options, const Film *film, const OutputOrigin *origin, const char *path, Diag *diag);
+bool output_write(const Options *options, const Film *film, const OutputOrigin *origin,
+		  const char *path, Diag *diag);
 
 #endif

@@ -27,8 +27,8 @@ void progress_show(ProgressLine *line, const RenderProgress *progress)
 		return;
 	format_time(progress->seconds, gone, sizeof gone);
 	format_time(progress->remaining, left, sizeof left);
-	int width = fprintf(stderr, "\r%5.1f%%  %ld pixels, %.0f a second, %s gone, %s left", 100 * progress->share,
-	                    progress->pixels, progress->rate, gone, left);
+	int width = fprintf(stderr, "\r%5.1f%%  %ld pixels, %.0f a second, %s gone, %s left",
+			    100 * progress->share, progress->pixels, progress->rate, gone, left);
 	if (width < line->width)
 		fprintf(stderr, "%*s", line->width - width, "");
 	line->width = width > line->width ? width : line->width;

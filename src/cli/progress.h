@@ -1,4 +1,5 @@
-/* One line on the terminal that says how far the render is; silent where standard error is no terminal. */
+/* One line on the terminal that says how far the render is; silent where standard error is no
+ * terminal. */
 #ifndef CLI_PROGRESS_H
 #define CLI_PROGRESS_H
 

@@ -42,7 +42,9 @@ static Course shell_course(const Run *run, ShellMoment moment, int frame, bool i
 
 static Course course_of(Status status)
 {
-	return status == STATUS_DONE ? COURSE_ON : status == STATUS_STOPPED ? COURSE_STOPPED : COURSE_FAILED;
+	return status == STATUS_DONE      ? COURSE_ON
+	       : status == STATUS_STOPPED ? COURSE_STOPPED
+					  : COURSE_FAILED;
 }
 
 static Course run_frame(Run *run, int frame)
@@ -84,7 +86,8 @@ static bool report(const Run *run, Status status)
 {
 	static const char *const names[] = {"done", "failed", "stopped"};
 	const Options *options = run->options;
-	if (status == STATUS_DONE && options->show_statistics && (!options->verbose_said || options->verbose))
+	if (status == STATUS_DONE && options->show_statistics &&
+	    (!options->verbose_said || options->verbose))
 		statistics_print(stderr, &run->statistics);
 	if (options->statistics_file) {
 		FILE *file = fopen(options->statistics_file, "w");
@@ -94,7 +97,8 @@ static bool report(const Run *run, Status status)
 		}
 	}
 	return !options->stats ||
-	       statistics_write_json(&run->statistics, options->input, names[status], options->stats, run->job.diag);
+	       statistics_write_json(&run->statistics, options->input, names[status],
+				     options->stats, run->job.diag);
 }
 
 static Status run_around(Run *run)
@@ -103,7 +107,9 @@ static Status run_around(Run *run)
 	if (course == COURSE_ON)
 		course = run_frames(run);
 	if (course <= COURSE_END)
-		course = shell_course(run, SHELL_POST_SCENE, 0, false) == COURSE_FAILED ? COURSE_FAILED : COURSE_ON;
+		course = shell_course(run, SHELL_POST_SCENE, 0, false) == COURSE_FAILED
+				 ? COURSE_FAILED
+				 : COURSE_ON;
 	if (course == COURSE_STOPPED) {
 		shell_course(run, SHELL_USER_ABORT, run->job.frame, run->animation.active);
 		return STATUS_STOPPED;
@@ -118,7 +124,10 @@ static Status run_around(Run *run)
 Status run_scene(const Options *options, const char *switches, Diag *diag)
 {
 	Run run = {.options = options, .animation = animation_plan(options)};
-	run.job = (FrameJob){.options = options, .animation = &run.animation, .switches = switches, .diag = diag};
+	run.job = (FrameJob){.options = options,
+			     .animation = &run.animation,
+			     .switches = switches,
+			     .diag = diag};
 	if (!frame_region(options, &run.job.region, diag) || !write_created_ini(options, diag))
 		return STATUS_FAILED;
 	interrupt_install();

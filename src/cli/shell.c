@@ -23,19 +23,25 @@ const char *shell_expand(const Options *options, const char *command, const Shel
 	const char *result = "";
 	while (*command) {
 		size_t plain = strcspn(command, "%");
-		const char *value = command[plain] && command[plain + 1] ? substitute(options, command[plain + 1], frame) : "";
-		result = arena_printf(options->arena, "%s%.*s%s", result, (int)plain, command, value);
+		const char *value = command[plain] && command[plain + 1]
+					    ? substitute(options, command[plain + 1], frame)
+					    : "";
+		result = arena_printf(options->arena, "%s%.*s%s", result, (int)plain, command,
+				      value);
 		command += plain;
 		command += command[0] ? command[1] ? 2 : 1 : 0;
 	}
 	return result;
 }
 
-/* A letter says what to do about a command that failed; with - or ! before it, about one that did not. */
+/* A letter says what to do about a command that failed; with - or ! before it, about one that did
+ * not. */
 static ShellAction action_for(const char *wanted, int status)
 {
-	static const struct { char letter; ShellAction action; } actions[] = {
-		{'S', SHELL_SKIP}, {'A', SHELL_SKIP_ALL}, {'Q', SHELL_QUIT}, {'U', SHELL_USER_STOP}, {'F', SHELL_FAIL},
+	static const struct { char letter; ShellAction action;
+	} actions[] = {
+		{'S', SHELL_SKIP},      {'A', SHELL_SKIP_ALL}, {'Q', SHELL_QUIT},
+		{'U', SHELL_USER_STOP}, {'F', SHELL_FAIL},
 	};
 	if (!wanted)
 		return SHELL_GO_ON;
@@ -48,14 +54,17 @@ static ShellAction action_for(const char *wanted, int status)
 	return SHELL_GO_ON;
 }
 
-ShellAction shell_run(const Options *options, ShellMoment moment, const ShellFrame *frame, Diag *diag)
+ShellAction shell_run(const Options *options, ShellMoment moment, const ShellFrame *frame,
+		      Diag *diag)
 {
 	const char *command = options->shell_command[moment];
 	if (!command)
 		return SHELL_GO_ON;
 	if (!options->allow_shell) {
-		diag_note(diag, "shell commands are off (--allow-shell turns them on): %s", command);
+		diag_note(diag, "shell commands are off (--allow-shell turns them on): %s",
+			  command);
 		return SHELL_GO_ON;
 	}
-	return action_for(options->shell_return[moment], system(shell_expand(options, command, frame)));
+	return action_for(options->shell_return[moment],
+			  system(shell_expand(options, command, frame)));
 }

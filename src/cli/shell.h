@@ -1,4 +1,5 @@
-/* The shell commands around scenes and frames (Pre_Scene_Command and its kin), off unless the user allows them. */
+/* The shell commands around scenes and frames (Pre_Scene_Command and its kin), off unless the user
+ * allows them. */
 #ifndef CLI_SHELL_H
 #define CLI_SHELL_H
 
@@ -19,6 +20,7 @@ typedef struct ShellFrame {
 const char *shell_expand(const Options *options, const char *command, const ShellFrame *frame);
 
 /* Runs the moment's command, if there is one and commands are allowed; reports a refused one. */
-ShellAction shell_run(const Options *options, ShellMoment moment, const ShellFrame *frame, Diag *diag);
+ShellAction shell_run(const Options *options, ShellMoment moment, const ShellFrame *frame,
+		      Diag *diag);
 
 #endif

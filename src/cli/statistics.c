@@ -22,7 +22,8 @@ void statistics_add(FrameStatistics *sum, const FrameStatistics *frame)
 
 static uint64_t all_rays(const RenderStatistics *r)
 {
-	return r->eye_rays + r->shadow_rays + r->reflected_rays + r->refracted_rays + r->transmitted_rays;
+	return r->eye_rays + r->shadow_rays + r->reflected_rays + r->refracted_rays +
+	       r->transmitted_rays;
 }
 
 static void print_photons(FILE *out, const PassStatistics *s)
@@ -35,8 +36,8 @@ static void print_photons(FILE *out, const PassStatistics *s)
 	for (size_t i = 0; i < sizeof rows / sizeof *rows; i++)
 		fprintf(out, "%-18s%14" PRIu64 "\n", rows[i].name, rows[i].value);
 	fprintf(out, "%-18s%14.3f s\n", "photons", p->seconds);
-	fprintf(out, "%-18s%14.6g in = %.6g stored + %.6g absorbed + %.6g escaped\n", "flux", p->emitted_flux, p->stored_flux,
-	        p->absorbed_flux, p->escaped_flux);
+	fprintf(out, "%-18s%14.6g in = %.6g stored + %.6g absorbed + %.6g escaped\n", "flux",
+		p->emitted_flux, p->stored_flux, p->absorbed_flux, p->escaped_flux);
 }
 
 void statistics_print(FILE *out, const FrameStatistics *s)
@@ -77,44 +78,51 @@ static void write_json_text(FILE *out, const char *text)
 static void write_rays(FILE *out, const RenderStatistics *r)
 {
 	fprintf(out,
-	        "  \"rays\": {\"all\": %" PRIu64 ", \"eye\": %" PRIu64 ", \"shadow\": %" PRIu64 ", \"reflected\": %" PRIu64
-	        ", \"refracted\": %" PRIu64 ", \"transmitted\": %" PRIu64 "},\n",
-	        all_rays(r), r->eye_rays, r->shadow_rays, r->reflected_rays, r->refracted_rays, r->transmitted_rays);
+		"  \"rays\": {\"all\": %" PRIu64 ", \"eye\": %" PRIu64 ", \"shadow\": %" PRIu64
+		", \"reflected\": %" PRIu64 ", \"refracted\": %" PRIu64
+		", \"transmitted\": %" PRIu64 "},\n",
+		all_rays(r), r->eye_rays, r->shadow_rays, r->reflected_rays, r->refracted_rays,
+		r->transmitted_rays);
 }
 
 static void write_photons(FILE *out, const PassStatistics *s)
 {
 	const PhotonStatistics *p = &s->photons;
 	fprintf(out,
-	        "  \"photons\": {\"passes\": %" PRIu32 ", \"paths\": %" PRIu64 ", \"stored\": %" PRIu64 ", \"absorbed\": %" PRIu64
-	        ", \"escaped\": %" PRIu64 ", \"segments\": %" PRIu64 ",\n",
-	        s->passes, p->paths, p->stored, p->absorbed, p->escaped, p->segments);
-	fprintf(out, "    \"seconds\": %.6f, \"processor\": %.6f, \"first_radius\": %.9g, \"radius\": %.9g,\n", p->seconds,
-	        p->cpu_seconds, s->first_radius, s->radius);
-	fprintf(out, "    \"flux\": {\"emitted\": %.9g, \"stored\": %.9g, \"absorbed\": %.9g, \"escaped\": %.9g}},\n",
-	        p->emitted_flux, p->stored_flux, p->absorbed_flux, p->escaped_flux);
+		"  \"photons\": {\"passes\": %" PRIu32 ", \"paths\": %" PRIu64
+		", \"stored\": %" PRIu64 ", \"absorbed\": %" PRIu64 ", \"escaped\": %" PRIu64
+		", \"segments\": %" PRIu64 ",\n",
+		s->passes, p->paths, p->stored, p->absorbed, p->escaped, p->segments);
+	fprintf(out,
+		"    \"seconds\": %.6f, \"processor\": %.6f, \"first_radius\": %.9g, \"radius\": %.9g,\n",
+		p->seconds, p->cpu_seconds, s->first_radius, s->radius);
+	fprintf(out,
+		"    \"flux\": {\"emitted\": %.9g, \"stored\": %.9g, \"absorbed\": %.9g, \"escaped\": %.9g}},\n",
+		p->emitted_flux, p->stored_flux, p->absorbed_flux, p->escaped_flux);
 }
 
-bool statistics_write_json(const FrameStatistics *s, const char *scene, const char *status, const char *path,
-                           Diag *diag)
+bool statistics_write_json(const FrameStatistics *s, const char *scene, const char *status,
+			   const char *path, Diag *diag)
 {
 	OutputFile file;
 	if (!output_file_open(&file, path, diag))
 		return false;
 	fputs("{\n  \"program\": \"" PACKAGE_STRING "\",\n  \"scene\": ", file.stream);
 	write_json_text(file.stream, scene);
-	fprintf(file.stream, ",\n  \"status\": \"%s\",\n  \"frames\": %d,\n  \"threads\": %d,\n", status, s->frames,
-	        parallel_threads());
-	fprintf(file.stream, "  \"seconds\": {\"parse\": %.6f, \"build\": %.6f, \"trace\": %.6f, \"write\": %.6f, "
-	        "\"processor\": %.6f},\n", s->parse_seconds, s->build_seconds, s->trace_seconds, s->write_seconds,
-	        s->cpu_seconds);
-	fprintf(file.stream, "  \"pixels\": %" PRIu64 ",\n  \"samples\": %" PRIu64 ",\n", s->passes.render.pixels,
-	        s->passes.render.samples);
+	fprintf(file.stream, ",\n  \"status\": \"%s\",\n  \"frames\": %d,\n  \"threads\": %d,\n",
+		status, s->frames, parallel_threads());
+	fprintf(file.stream,
+		"  \"seconds\": {\"parse\": %.6f, \"build\": %.6f, \"trace\": %.6f, \"write\": %.6f, "
+		"\"processor\": %.6f},\n",
+		s->parse_seconds, s->build_seconds, s->trace_seconds, s->write_seconds,
+		s->cpu_seconds);
+	fprintf(file.stream, "  \"pixels\": %" PRIu64 ",\n  \"samples\": %" PRIu64 ",\n",
+		s->passes.render.pixels, s->passes.render.samples);
 	write_rays(file.stream, &s->passes.render);
 	if (s->passes.has_photons)
 		write_photons(file.stream, &s->passes);
-	fprintf(file.stream, "  \"deepest\": %d,\n  \"shapes\": %ld,\n  \"lights\": %ld,\n", s->passes.render.deepest, s->shapes,
-	        s->lights);
+	fprintf(file.stream, "  \"deepest\": %d,\n  \"shapes\": %ld,\n  \"lights\": %ld,\n",
+		s->passes.render.deepest, s->shapes, s->lights);
 	fprintf(file.stream, "  \"peak_memory\": %zu\n}\n", clock_peak_memory());
 	return output_file_commit(&file, diag);
 }

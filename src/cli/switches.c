@@ -1,6 +1,6 @@
 /*
- * POV-Ray's switches. A switch is short for a key that its sign turns on or off, a key that takes the rest of the word, or
- * both: +A0.1 is Antialias=on and Antialias_Threshold=0.1.
+ * POV-Ray's switches. A switch is short for a key that its sign turns on or off, a key that takes
+ * the rest of the word, or both: +A0.1 is Antialias=on and Antialias_Threshold=0.1.
  */
 #include <ctype.h>
 #include <string.h>
@@ -96,7 +96,8 @@ static bool rest_fits(Rest rest, const char *text)
 	return rest == REST_OPTIONAL || (rest == REST_NEEDED) == (*text != 0);
 }
 
-/* The switch with the longest letters that start the text and leave a fitting rest; NULL for none. */
+/* The switch with the longest letters that start the text and leave a fitting rest; NULL for none.
+ */
 static const Switch *find_switch(const char *text)
 {
 	const Switch *best = NULL;

@@ -51,7 +51,10 @@ static bool set_estimator(Options *options, const char *value, Diag *diag)
 	options->estimator_said = true;
 	if (photon_estimator_named(value, &options->estimator))
 		return true;
-	diag_fail(diag, "--estimator: %s is no estimator (povray, nearest, diffusion, footprint, deep or adaptive)", value);
+	diag_fail(
+		diag,
+		"--estimator: %s is no estimator (povray, nearest, diffusion, footprint, deep or adaptive)",
+		value);
 	return false;
 }
 
@@ -93,7 +96,8 @@ static bool set_allow_write(Options *options, const char *value, Diag *diag)
 static bool set_quiet(Options *options, const char *value, Diag *diag)
 {
 	(void)value;
-	return options_set(options, "All_Console", "off", diag) && options_set(options, "Verbose", "off", diag);
+	return options_set(options, "All_Console", "off", diag) &&
+	       options_set(options, "Verbose", "off", diag);
 }
 
 static bool set_help(Options *options, const char *value, Diag *diag)
@@ -135,7 +139,8 @@ static const LongOption long_options[] = {
 static const LongOption *find_long(const char *name, size_t length)
 {
 	for (size_t i = 0; i < sizeof long_options / sizeof *long_options; i++)
-		if (strlen(long_options[i].name) == length && strncmp(long_options[i].name, name, length) == 0)
+		if (strlen(long_options[i].name) == length &&
+		    strncmp(long_options[i].name, name, length) == 0)
 			return &long_options[i];
 	return NULL;
 }
@@ -153,10 +158,12 @@ static bool read_long(Options *options, int count, char **words, int *at, Diag *
 	if (option->takes_value && !value && *at + 1 < count)
 		value = words[++*at];
 	if (option->takes_value != (value != NULL)) {
-		diag_fail(diag, "--%s %s a value", option->name, option->takes_value ? "wants" : "takes no");
+		diag_fail(diag, "--%s %s a value", option->name,
+			  option->takes_value ? "wants" : "takes no");
 		return false;
 	}
-	return option->key ? options_set(options, option->key, value, diag) : option->call(options, value, diag);
+	return option->key ? options_set(options, option->key, value, diag)
+			   : option->call(options, value, diag);
 }
 
 /* A name, then =. */
@@ -195,7 +202,8 @@ bool options_command_line(Options *options, int count, char **words, Diag *diag)
 {
 	for (int i = 1; i < count; i++) {
 		bool is_long = strncmp(words[i], "--", 2) == 0;
-		if (!(is_long ? read_long(options, count, words, &i, diag) : options_word(options, words[i], diag)))
+		if (!(is_long ? read_long(options, count, words, &i, diag)
+			      : options_word(options, words[i], diag)))
 			return false;
 	}
 	return true;

@@ -62,7 +62,8 @@ static void set_gradient(void *data, long item, int thread)
 	for (int i = 0; i < count && radius2 > 0; i++) {
 		const Photon *photon = &d->map->photons[found[i].index];
 		double flux = rgb_gray(photon_flux(photon));
-		sum = vec3_mad(sum, 2 * flux / sqrt(radius2), vec3_sub(position_of(photon), point.position));
+		sum = vec3_mad(sum, 2 * flux / sqrt(radius2),
+			       vec3_sub(position_of(photon), point.position));
 		density += flux * (1 - found[i].distance2 / radius2);
 	}
 	sum = vec3_mad(sum, -vec3_dot(sum, point.normal), point.normal);
@@ -123,9 +124,11 @@ static Tensor inverse_diffusion(const Diffusion *d, Tensor s, double *root)
 {
 	double mean = 0.5 * (s.uu + s.vv), difference = 0.5 * (s.uu - s.vv);
 	double spread = sqrt(difference * difference + s.uv * s.uv);
-	double across = 1 / diffusion_of(d, mean + spread), along = 1 / diffusion_of(d, mean - spread);
+	double across = 1 / diffusion_of(d, mean + spread),
+	       along = 1 / diffusion_of(d, mean - spread);
 	/* S = mean I + spread R, with R of eigenvalues 1 and -1: so is any function of S. */
-	double middle = 0.5 * (across + along), half = spread > 0 ? 0.5 * (across - along) / spread : 0;
+	double middle = 0.5 * (across + along),
+	       half = spread > 0 ? 0.5 * (across - along) / spread : 0;
 	*root = 1 / sqrt(across * along);
 	return (Tensor){middle + half * difference, half * s.uv, middle - half * difference};
 }
@@ -141,12 +144,14 @@ static void diffusion_gather(const void *method, const GatherTask *task, GatherR
 	vec3_frame(task->point->normal, &frame.u, &frame.v);
 	if (!(radius2 > 0))
 		count = 0;
-	Tensor inverse = inverse_diffusion(d, structure_tensor(d, &frame, found, count, radius2), &root);
+	Tensor inverse = inverse_diffusion(d, structure_tensor(d, &frame, found, count, radius2),
+					   &root);
 	for (int i = 0; i < count; i++) {
 		const Photon *photon = &task->map->photons[found[i].index];
 		Vec3 offset = vec3_sub(position_of(photon), frame.origin);
 		double u = vec3_dot(offset, frame.u), v = vec3_dot(offset, frame.v);
-		double t2 = (inverse.uu * u * u + 2 * inverse.uv * u * v + inverse.vv * v * v) / radius2;
+		double t2 = (inverse.uu * u * u + 2 * inverse.uv * u * v + inverse.vv * v * v) /
+			    radius2;
 		gather_add(&sum, photon, kernel_value(KERNEL_GAUSSIAN, t2) / (radius2 * root));
 	}
 	gather_finish(&sum, sqrt(radius2), result);

@@ -24,7 +24,8 @@ static const EstimatorMethod *const methods[] = {
 static bool says_nothing(const EstimatorSetup *setup)
 {
 	const Estimator *e = setup->method;
-	return e->kind == ESTIMATOR_NEAREST && e->count == 0 && !(e->radius > 0) && !(setup->radius > 0);
+	return e->kind == ESTIMATOR_NEAREST && e->count == 0 && !(e->radius > 0) &&
+	       !(setup->radius > 0);
 }
 
 DensityEstimator *estimator_create(const EstimatorSetup *setup, Diag *diag)
@@ -37,8 +38,8 @@ DensityEstimator *estimator_create(const EstimatorSetup *setup, Diag *diag)
 		return NULL;
 	}
 	if (setup->method->count > ESTIMATOR_MOST_PHOTONS) {
-		diag_fail(diag, "estimator '%s': count %d is over %d", method->name, setup->method->count,
-		          ESTIMATOR_MOST_PHOTONS);
+		diag_fail(diag, "estimator '%s': count %d is over %d", method->name,
+			  setup->method->count, ESTIMATOR_MOST_PHOTONS);
 		return NULL;
 	}
 	void *data = method->create(setup, diag);

@@ -31,13 +31,14 @@ typedef struct GatherResult {
 	double radius;  /* of the search */
 	Rgb parameter;  /* mean emitter coordinates as a colour (SJ13 Fig. 6e); black: no photons */
 	float edges;    /* mean number of path edges (Fig. 6f) */
-	float constraint; /* 1 - mean length of v_b (Fig. 6g): 0 where relaxation let photons move freely */
+	float constraint; /* 1 - mean length of v_b (Fig. 6g): 0 where relaxation let photons move
+			     freely */
 } GatherResult;
 
 typedef struct DensityEstimator DensityEstimator;
 
 typedef struct EstimatorSetup {
-	const Estimator *method;       /* object's or scene's; all zeros: POV-Ray's way of gathering */
+	const Estimator *method; /* object's or scene's; all zeros: POV-Ray's way of gathering */
 	const PhotonSettings *photons; /* the scene's: gather, radius, expand_thresholds */
 	const PhotonMap *map;          /* indexed; outlives the estimator */
 	double radius;                 /* of a progressive pass: every photon within it counts and

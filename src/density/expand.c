@@ -50,7 +50,8 @@ static void *expand_create(const EstimatorSetup *setup, Diag *diag)
 {
 	const PhotonSettings *s = setup->photons;
 	if (s->gather_max > ESTIMATOR_MOST_PHOTONS) {
-		diag_fail(diag, "photons: gather's maximum %d is over %d", s->gather_max, ESTIMATOR_MOST_PHOTONS);
+		diag_fail(diag, "photons: gather's maximum %d is over %d", s->gather_max,
+			  ESTIMATOR_MOST_PHOTONS);
 		return NULL;
 	}
 	Expand *e = memory_alloc(sizeof *e);
@@ -91,13 +92,15 @@ static void expand_gather(const void *method, const GatherTask *task, GatherResu
 	search(e, task, e->radius, &first);
 	if (first.count < e->least) {
 		search(e, task, expansion * e->radius, &second);
-		bool edge = second.count * first.radius2 > (1 + e->increase) * first.count * second.radius2;
+		bool edge = second.count * first.radius2 >
+			    (1 + e->increase) * first.count * second.radius2;
 		if (second.count < e->increase_least || !edge)
 			best = &second;
 	}
 	for (int i = 0; i < best->count && best->radius2 > 0; i++)
 		gather_add(&sum, &task->map->photons[best->found[i].index],
-		           kernel_value(e->kernel, best->found[i].distance2 / best->radius2) / best->radius2);
+			   kernel_value(e->kernel, best->found[i].distance2 / best->radius2) /
+				   best->radius2);
 	gather_finish(&sum, sqrt(best->radius2), result);
 }
 

@@ -15,7 +15,8 @@
 typedef struct Symmetric { double uu, uv, vv; } Symmetric;
 
 typedef struct FitSample {
-	double d[2]; /* in the parameters, relative to the photon, the farthest neighbour about 1 away */
+	double d[2]; /* in the parameters, relative to the photon, the farthest neighbour about 1
+			away */
 	double x[2]; /* on the surface, relative to the photon */
 } FitSample;
 

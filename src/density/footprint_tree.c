@@ -89,10 +89,14 @@ FootprintTree footprint_tree_build(const Box3 *boxes, uint32_t count)
 	tree.nodes = memory_alloc(sizeof *tree.nodes * (total + 1));
 	for (int level = 0; level < tree.levels; level++) {
 		uint32_t below = level > 0 ? tree.level_count[level - 1] : count;
-		const FootprintNode *lower = level > 0 ? tree.nodes + tree.level_start[level - 1] : NULL;
+		const FootprintNode *lower = level > 0 ? tree.nodes + tree.level_start[level - 1]
+						       : NULL;
 		for (uint32_t i = 0; i < tree.level_count[level] * WIDTH; i++) {
-			Box3 box = i >= below ? box3_empty() : level > 0 ? node_box(&lower[i]) : boxes[i];
-			set_child(&tree.nodes[tree.level_start[level] + i / WIDTH], (int)(i % WIDTH), box);
+			Box3 box = i >= below  ? box3_empty()
+				   : level > 0 ? node_box(&lower[i])
+					       : boxes[i];
+			set_child(&tree.nodes[tree.level_start[level] + i / WIDTH],
+				  (int)(i % WIDTH), box);
 		}
 	}
 	return tree;
@@ -108,11 +112,13 @@ typedef struct Visit {
 } Visit;
 
 /* Without branches, so that the compiler does all eight at once. */
-static void find_meeting(const FootprintNode *restrict node, const Visit *restrict v, int *restrict met)
+static void find_meeting(const FootprintNode *restrict node, const Visit *restrict v,
+			 int *restrict met)
 {
 	for (int i = 0; i < WIDTH; i++)
-		met[i] = (node->lo[0][i] <= v->hi[0]) & (node->hi[0][i] >= v->lo[0]) & (node->lo[1][i] <= v->hi[1]) &
-		         (node->hi[1][i] >= v->lo[1]) & (node->lo[2][i] <= v->hi[2]) & (node->hi[2][i] >= v->lo[2]);
+		met[i] = (node->lo[0][i] <= v->hi[0]) & (node->hi[0][i] >= v->lo[0]) &
+			 (node->lo[1][i] <= v->hi[1]) & (node->hi[1][i] >= v->lo[1]) &
+			 (node->lo[2][i] <= v->hi[2]) & (node->hi[2][i] >= v->lo[2]);
 }
 
 static void visit_node(const Visit *v, int level, uint32_t number)

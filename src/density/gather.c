@@ -19,7 +19,8 @@ static void add_parameter(GatherSum *sum, const Photon *photon)
 {
 	const PhotonMap *map = sum->task->map;
 	double scale = 1;
-	if (photon->light < map->light_count && map->lights[photon->light].parameter_dimensions == 2 &&
+	if (photon->light < map->light_count &&
+	    map->lights[photon->light].parameter_dimensions == 2 &&
 	    map->lights[photon->light].parameter_area > 0)
 		scale = sqrt(M_PI / map->lights[photon->light].parameter_area);
 	for (int k = 0; k < 3; k++)
@@ -52,7 +53,8 @@ void gather_finish(const GatherSum *sum, double radius, GatherResult *result)
 	double share = 1.0 / sum->photons;
 	const double *l = sum->radiance, *p = sum->parameter;
 	result->radiance = rgb((float)l[0], (float)l[1], (float)l[2]);
-	result->parameter = rgb((float)(share * p[0]), (float)(share * p[1]), (float)(share * p[2]));
+	result->parameter = rgb((float)(share * p[0]), (float)(share * p[1]),
+				(float)(share * p[2]));
 	result->edges = (float)(share * sum->edges);
 	result->constraint = (float)(share * sum->constraint);
 }
@@ -79,11 +81,13 @@ int gather_nearest(const GatherTask *task, int wanted, double reach, Neighbor *f
                    double *radius2)
 {
 	Vec3 p = task->point->position;
-	NearestQuery query = {{(float)p.x, (float)p.y, (float)p.z}, (float)(reach * reach), wanted, NULL};
+	NearestQuery query = {
+		{(float)p.x, (float)p.y, (float)p.z}, (float)(reach * reach), wanted, NULL};
 	for (int try = 1;; try++) {
 		int count = photon_tree_nearest(task->map->tree, &query, found);
 		bool full = count == query.count;
-		*radius2 = full || reach == INFINITY ? photon_tree_farthest(found, count) : reach * reach;
+		*radius2 = full || reach == INFINITY ? photon_tree_farthest(found, count)
+						     : reach * reach;
 		int kept = gather_filter(task, sqrt(*radius2), found, count);
 		if (kept > wanted) {
 			qsort(found, (size_t)kept, sizeof *found, compare_distances);

@@ -56,7 +56,8 @@ static void add_within(void *data, const Neighbor *found, int count)
 	for (int i = 0; i < count; i++) {
 		const Photon *photon = &disc->sum.task->map->photons[found[i].index];
 		if (gather_accepts(disc->sum.task->point, photon, disc->radius))
-			gather_add(&disc->sum, photon, scale * kernel_value(disc->kernel, scale * found[i].distance2));
+			gather_add(&disc->sum, photon,
+				   scale * kernel_value(disc->kernel, scale * found[i].distance2));
 	}
 }
 

@@ -37,7 +37,8 @@ static Box3 component_box(const Component *component)
 {
 	const BlobComponent *given = &component->given;
 	Vec3 half = vec3_all(given->radius), end = given->cylinder ? given->end : given->center;
-	Box3 box = {vec3_sub(vec3_min(given->center, end), half), vec3_add(vec3_max(given->center, end), half)};
+	Box3 box = {vec3_sub(vec3_min(given->center, end), half),
+		    vec3_add(vec3_max(given->center, end), half)};
 	return given->transform ? transform_box(given->transform, box) : box;
 }
 
@@ -104,7 +105,8 @@ static Vec3 component_away(const Component *component, Vec3 own)
 
 static Vec3 into_component(const Component *component, Vec3 p)
 {
-	return component->given.transform ? transform_point_inverse(component->given.transform, p) : p;
+	return component->given.transform ? transform_point_inverse(component->given.transform, p)
+					  : p;
 }
 
 /* The field of one component; its gradient in the blob's space is added to *gradient unless that
@@ -236,7 +238,8 @@ static void piece_list_push(PieceList *list, const Piece *piece)
 }
 
 /* Adds the piece where |from + t step|^2 / radius^2 < 1 within the limits. */
-static void add_piece(PieceList *list, const Component *component, Vec3 from, Vec3 step, const double limits[2])
+static void add_piece(PieceList *list, const Component *component, Vec3 from, Vec3 step,
+		      const double limits[2])
 {
 	double speed2 = vec3_length2(step), scale = component->inverse_radius2;
 	double middle = speed2 > 0 ? -vec3_dot(from, step) / speed2 : 0;
@@ -244,7 +247,9 @@ static void add_piece(PieceList *list, const Component *component, Vec3 from, Ve
 	if (!(nearest < 1))
 		return;
 	double half = speed2 > 0 ? sqrt((1 - nearest) / (speed2 * scale)) : INFINITY;
-	Piece piece = {.middle = middle, .q = {nearest, 0, speed2 * scale}, .strength = component->given.strength};
+	Piece piece = {.middle = middle,
+		       .q = {nearest, 0, speed2 * scale},
+		       .strength = component->given.strength};
 	piece.lo = fmax(limits[0], middle - half);
 	piece.hi = fmin(limits[1], middle + half);
 	if (piece.lo < piece.hi)
@@ -252,9 +257,11 @@ static void add_piece(PieceList *list, const Component *component, Vec3 from, Ve
 }
 
 /* The three pieces of a cylinder, told apart by where the ray is along the axis. */
-static void add_cylinder(PieceList *list, const Component *component, Vec3 from, Vec3 step, const double limits[2])
+static void add_cylinder(PieceList *list, const Component *component, Vec3 from, Vec3 step,
+			 const double limits[2])
 {
-	double along = vec3_dot(from, component->axis), along_step = vec3_dot(step, component->axis);
+	double along = vec3_dot(from, component->axis),
+	       along_step = vec3_dot(step, component->axis);
 	double start = -along / along_step, end = (component->length - along) / along_step;
 	Vec3 far = vec3_mad(from, -component->length, component->axis);
 	Vec3 across = vec3_mad(from, -along, component->axis);
@@ -269,9 +276,12 @@ static void add_cylinder(PieceList *list, const Component *component, Vec3 from,
 	}
 	bool up = along_step > 0;
 	double low = fmin(start, end), high = fmax(start, end);
-	add_piece(list, component, up ? from : far, step, (double[]){limits[0], fmin(limits[1], low)});
-	add_piece(list, component, across, across_step, (double[]){fmax(limits[0], low), fmin(limits[1], high)});
-	add_piece(list, component, up ? far : from, step, (double[]){fmax(limits[0], high), limits[1]});
+	add_piece(list, component, up ? from : far, step,
+		  (double[]){limits[0], fmin(limits[1], low)});
+	add_piece(list, component, across, across_step,
+		  (double[]){fmax(limits[0], low), fmin(limits[1], high)});
+	add_piece(list, component, up ? far : from, step,
+		  (double[]){fmax(limits[0], high), limits[1]});
 }
 
 static bool visit_pieces(void *data, int item)
@@ -319,7 +329,8 @@ static void sort_pieces(PieceList *list)
 static void add_quartic(const Piece *piece, double middle, double c[5])
 {
 	double shift = middle - piece->middle;
-	double a = 1 - (piece->q[0] + shift * shift * piece->q[2]), b = -2 * shift * piece->q[2], e = -piece->q[2];
+	double a = 1 - (piece->q[0] + shift * shift * piece->q[2]), b = -2 * shift * piece->q[2],
+	       e = -piece->q[2];
 	c[0] += piece->strength * a * a;
 	c[1] += piece->strength * 2 * a * b;
 	c[2] += piece->strength * (b * b + 2 * a * e);

@@ -13,8 +13,9 @@ typedef struct BlobComponent {
 	bool cylinder;
 	Vec3 center, end;           /* end: of a cylinder */
 	double radius, strength;
-	const Transform *transform; /* from the component's own space to the blob's; NULL: the same */
-	int texture;                /* number of its own texture for the class' textures(); -1: none */
+	const Transform
+		*transform; /* from the component's own space to the blob's; NULL: the same */
+	int texture; /* number of its own texture for the class' textures(); -1: none */
 } BlobComponent;
 
 typedef struct BlobDesc {

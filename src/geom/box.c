@@ -12,16 +12,19 @@ static const void *box_placed(Arena *arena, const void *data, const Transform *t
 	const Box3 *box = data;
 	if (!transform_is_upright(transform))
 		return NULL;
-	return box_create(arena, transform_point(transform, box->lo), transform_point(transform, box->hi));
+	return box_create(arena, transform_point(transform, box->lo),
+			  transform_point(transform, box->hi));
 }
 
 /* What one pair of faces leaves of the interval t; false when nothing. */
-static bool cross_slab(const double slab[2], double origin, double direction, int axis, double t[2], int faces[2])
+static bool cross_slab(const double slab[2], double origin, double direction, int axis, double t[2],
+		       int faces[2])
 {
 	if (direction == 0)
 		return origin >= slab[0] && origin <= slab[1];
 	bool up = direction > 0;
-	double near = (slab[up ? 0 : 1] - origin) / direction, far = (slab[up ? 1 : 0] - origin) / direction;
+	double near = (slab[up ? 0 : 1] - origin) / direction,
+	       far = (slab[up ? 1 : 0] - origin) / direction;
 	if (near > t[0]) {
 		t[0] = near;
 		faces[0] = 2 * axis + (up ? 0 : 1);
@@ -75,7 +78,8 @@ static bool box_inside(const void *data, Vec3 p)
 
 static Vec3 box_normal(const void *data, const Hit *hit, Vec3 p)
 {
-	static const Vec3 normals[] = {{-1, 0, 0}, {1, 0, 0}, {0, -1, 0}, {0, 1, 0}, {0, 0, -1}, {0, 0, 1}};
+	static const Vec3 normals[] = {{-1, 0, 0}, {1, 0, 0},  {0, -1, 0},
+				       {0, 1, 0},  {0, 0, -1}, {0, 0, 1}};
 	(void)data;
 	(void)p;
 	return normals[hit->part];

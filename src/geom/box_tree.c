@@ -51,7 +51,8 @@ static void sort_items(Builder *builder, int first, int count)
 	Vec3 size = vec3_sub(spread.hi, spread.lo);
 	int axis = size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2;
 	for (int i = first; i < first + count; i++)
-		builder->order[i].key = vec3_axis(box_middle(&builder->boxes[builder->order[i].item]), axis);
+		builder->order[i].key = vec3_axis(
+			box_middle(&builder->boxes[builder->order[i].item]), axis);
 	qsort(builder->order + first, (size_t)count, sizeof(SortItem), compare_items);
 }
 

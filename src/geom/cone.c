@@ -38,8 +38,10 @@ static bool cone_bounds(const void *data, Box3 *box)
 {
 	const Cone *cone = data;
 	Vec3 a = cone->axis, cap = vec3_mad(cone->base, cone->height, a);
-	Vec3 across = vec3(sqrt(fmax(0, 1 - a.x * a.x)), sqrt(fmax(0, 1 - a.y * a.y)), sqrt(fmax(0, 1 - a.z * a.z)));
-	Vec3 low = vec3_scale(across, fabs(cone->base_radius)), high = vec3_scale(across, fabs(cone->cap_radius));
+	Vec3 across = vec3(sqrt(fmax(0, 1 - a.x * a.x)), sqrt(fmax(0, 1 - a.y * a.y)),
+			   sqrt(fmax(0, 1 - a.z * a.z)));
+	Vec3 low = vec3_scale(across, fabs(cone->base_radius)),
+	     high = vec3_scale(across, fabs(cone->cap_radius));
 	*box = (Box3){vec3_min(vec3_sub(cone->base, low), vec3_sub(cap, high)),
 	              vec3_max(vec3_add(cone->base, low), vec3_add(cap, high))};
 	return true;
@@ -65,7 +67,8 @@ static ConeRay cone_ray(const Cone *cone, const Ray *ray)
 {
 	ConeRay out;
 	Vec3 middle = vec3_mad(cone->base, 0.5 * cone->height, cone->axis);
-	out.shift = vec3_dot(vec3_sub(middle, ray->origin), ray->direction) / vec3_length2(ray->direction);
+	out.shift = vec3_dot(vec3_sub(middle, ray->origin), ray->direction) /
+		    vec3_length2(ray->direction);
 	Vec3 start = vec3_sub(ray_at(ray, out.shift), cone->base);
 	out.along = cone_split(cone, start, &out.across);
 	out.along_step = cone_split(cone, ray->direction, &out.across_step);
@@ -74,11 +77,13 @@ static ConeRay cone_ray(const Cone *cone, const Ray *ray)
 
 static int cross_side(const Cone *cone, const ConeRay *ray, Hit hits[4])
 {
-	double radius = cone->base_radius + cone->slope * ray->along, radius_step = cone->slope * ray->along_step;
+	double radius = cone->base_radius + cone->slope * ray->along,
+	       radius_step = cone->slope * ray->along_step;
 	double roots[2];
-	int count = polynomial_quadratic(vec3_length2(ray->across_step) - radius_step * radius_step,
-	                                 2 * (vec3_dot(ray->across, ray->across_step) - radius * radius_step),
-	                                 vec3_length2(ray->across) - radius * radius, roots);
+	int count = polynomial_quadratic(
+		vec3_length2(ray->across_step) - radius_step * radius_step,
+		2 * (vec3_dot(ray->across, ray->across_step) - radius * radius_step),
+		vec3_length2(ray->across) - radius * radius, roots);
 	int kept = 0;
 	for (int i = 0; i < count; i++) {
 		double z = ray->along + roots[i] * ray->along_step;

@@ -5,7 +5,7 @@
 
 enum {
 	TREE_MIN_CHILDREN = 12, /* fewer children than this are looked at one by one */
-	CUT_PASSES = 3,         /* so often children cut each other's bounds: each needs those before it */
+	CUT_PASSES = 3, /* so often children cut each other's bounds: each needs those before it */
 };
 
 struct CsgTree {
@@ -57,7 +57,8 @@ static Box3 child_region(const CsgView *view, int i)
 	return flipped.clip_count ? infinite_box() : shape_region_box(&flipped);
 }
 
-/* What the children cut off each other: planes and quadrics that bound nothing alone do together. */
+/* What the children cut off each other: planes and quadrics that bound nothing alone do together.
+ */
 static Box3 cut_region(const CsgView *view, Box3 box)
 {
 	for (int pass = 0; pass < CUT_PASSES; pass++)
@@ -93,7 +94,8 @@ Box3 csg_surface_box(const Shape *shape)
 	Box3 box = box3_empty();
 	for (int i = 0; i < view.csg->count; i++)
 		box = box3_union(box, view.csg->children[i]->box);
-	return view.operation == CSG_INTERSECTION ? box3_intersect(box, combined_region(&view)) : box;
+	return view.operation == CSG_INTERSECTION ? box3_intersect(box, combined_region(&view))
+						  : box;
 }
 
 const Csg *csg_create(Arena *arena, const Shape *const *children, int count)
@@ -163,9 +165,11 @@ static bool is_on_surface(const CsgView *view, int i, Vec3 p)
 {
 	switch (view->operation) {
 	case CSG_INTERSECTION:
-		return view->flip ? !is_inside_any(view->csg, p, i) : is_inside_all(view->csg, p, i);
+		return view->flip ? !is_inside_any(view->csg, p, i)
+				  : is_inside_all(view->csg, p, i);
 	case CSG_MERGE:
-		return view->flip ? is_inside_all(view->csg, p, i) : !is_inside_any(view->csg, p, i);
+		return view->flip ? is_inside_all(view->csg, p, i)
+				  : !is_inside_any(view->csg, p, i);
 	case CSG_UNION:
 		break;
 	}
@@ -215,7 +219,8 @@ static Ray ray_within(const Ray *ray, const RaySlabs *slabs, const Box3 *box)
 	ray_slabs_range(slabs, box, t);
 	double slack = 1e-9 * (fabs(t[0]) + fabs(t[1]));
 	double enter = t[0] - slack, leave = t[1] + slack;
-	return (Ray){ray->origin, ray->direction, enter > ray->tmin ? enter : ray->tmin, leave < ray->tmax ? leave : ray->tmax};
+	return (Ray){ray->origin, ray->direction, enter > ray->tmin ? enter : ray->tmin,
+		     leave < ray->tmax ? leave : ray->tmax};
 }
 
 static void csg_intersect(const Shape *self, const Ray *ray, HitList *out)
@@ -282,7 +287,8 @@ static bool csg_nearest(const Shape *self, const Ray *ray, Hit *out)
 	bool simple = query.view.operation == CSG_UNION;
 	if (!simple)
 		query.ray = ray_within(ray, &query.slabs, &self->box);
-	walk_children(query.view.csg, &query.slabs, simple ? visit_union_nearest : visit_surface_nearest, &query);
+	walk_children(query.view.csg, &query.slabs,
+		      simple ? visit_union_nearest : visit_surface_nearest, &query);
 	return query.found;
 }
 

@@ -21,7 +21,8 @@ static bool disc_bounds(const void *data, Box3 *box)
 {
 	const Disc *disc = data;
 	Vec3 n = disc->normal;
-	Vec3 half = vec3(sqrt(fmax(0, 1 - n.x * n.x)), sqrt(fmax(0, 1 - n.y * n.y)), sqrt(fmax(0, 1 - n.z * n.z)));
+	Vec3 half = vec3(sqrt(fmax(0, 1 - n.x * n.x)), sqrt(fmax(0, 1 - n.y * n.y)),
+			 sqrt(fmax(0, 1 - n.z * n.z)));
 	half = vec3_scale(half, disc->radius);
 	*box = (Box3){vec3_sub(disc->center, half), vec3_add(disc->center, half)};
 	return true;

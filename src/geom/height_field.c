@@ -1,6 +1,7 @@
 /*
- * A quadtree of lowest and highest heights over the cells (a mip map: each level halves the grid) tells a ray which blocks of
- * cells to skip; in a cell that is left, two triangles are met. Smooth fields interpolate normals of the samples.
+ * A quadtree of lowest and highest heights over the cells (a mip map: each level halves the grid)
+ * tells a ray which blocks of cells to skip; in a cell that is left, two triangles are met. Smooth
+ * fields interpolate normals of the samples.
  */
 #include "geom/height_field.h"
 
@@ -37,7 +38,8 @@ static void fill_cells(HeightField *field)
 	Level *level = &field->levels[0];
 	for (int z = 0; z < level->depth; z++) {
 		for (int x = 0; x < level->width; x++) {
-			float a = height(field, x, z), b = height(field, x + 1, z), c = height(field, x, z + 1);
+			float a = height(field, x, z), b = height(field, x + 1, z),
+			      c = height(field, x, z + 1);
 			float d = height(field, x + 1, z + 1);
 			size_t i = (size_t)z * (size_t)level->width + (size_t)x;
 			level->low[i] = fminf(fminf(a, b), fminf(c, d));
@@ -81,7 +83,9 @@ static void build_levels(Arena *arena, HeightField *field)
 
 const void *height_field_create(Arena *arena, const HeightFieldDesc *desc, const char **error)
 {
-	*error = desc->width < 2 || desc->depth < 2 ? "a height field needs at least two samples each way" : NULL;
+	*error = desc->width < 2 || desc->depth < 2
+			 ? "a height field needs at least two samples each way"
+			 : NULL;
 	if (*error)
 		return NULL;
 	HeightField *field = ARENA_NEW(arena, HeightField);
@@ -96,19 +100,22 @@ const void *height_field_create(Arena *arena, const HeightFieldDesc *desc, const
 static bool height_field_bounds(const void *data, Box3 *box)
 {
 	const HeightField *field = data;
-	*box = (Box3){{0, fmax(field->low, field->floor), 0}, {1, fmax(field->high, field->floor), 1}};
+	*box = (Box3){{0, fmax(field->low, field->floor), 0},
+		      {1, fmax(field->high, field->floor), 1}};
 	return true;
 }
 
 static Vec3 sample_point(const HeightField *field, int x, int z)
 {
-	return vec3(x / (double)(field->desc.width - 1), height(field, x, z), z / (double)(field->desc.depth - 1));
+	return vec3(x / (double)(field->desc.width - 1), height(field, x, z),
+		    z / (double)(field->desc.depth - 1));
 }
 
 /* Corners of a cell's half: 0 has the corner (x, z), 1 the corner (x + 1, z + 1). */
 static void half_corners(const HeightField *field, int part, Vec3 corner[3])
 {
-	int half = part & 1, cell = part >> 1, x = cell % field->levels[0].width, z = cell / field->levels[0].width;
+	int half = part & 1, cell = part >> 1, x = cell % field->levels[0].width,
+	    z = cell / field->levels[0].width;
 	corner[0] = sample_point(field, x + half, z + half);
 	corner[1] = sample_point(field, x + 1, z);
 	corner[2] = sample_point(field, x, z + 1);
@@ -119,10 +126,12 @@ static void cross_half(const Shape *self, const Ray *ray, int part, HitList *out
 	const HeightField *field = self->data;
 	Vec3 c[3];
 	half_corners(field, part, c);
-	Vec3 ab = vec3_sub(c[1], c[0]), ac = vec3_sub(c[2], c[0]), p = vec3_cross(ray->direction, ac);
+	Vec3 ab = vec3_sub(c[1], c[0]), ac = vec3_sub(c[2], c[0]),
+	     p = vec3_cross(ray->direction, ac);
 	double determinant = vec3_dot(ab, p), inverse = 1 / determinant;
 	Vec3 from = vec3_sub(ray->origin, c[0]), q = vec3_cross(from, ab);
-	double u = vec3_dot(from, p) * inverse, v = vec3_dot(ray->direction, q) * inverse, t = vec3_dot(ac, q) * inverse;
+	double u = vec3_dot(from, p) * inverse, v = vec3_dot(ray->direction, q) * inverse,
+	       t = vec3_dot(ac, q) * inverse;
 	if (u >= 0 && v >= 0 && u + v <= 1 && t > ray->tmin && t < ray->tmax &&
 	    ray->origin.y + t * ray->direction.y >= field->floor)
 		hit_list_push(out, (Hit){t, self, part, u, v});
@@ -139,7 +148,9 @@ typedef struct Walk {
 static bool meets_slab(double lo, double hi, double origin, double inverse, double range[2])
 {
 	double a = (lo - origin) * inverse, b = (hi - origin) * inverse;
-	range[0] = fmax(range[0], fmin(a, b)); /* fmax and fmin pass over the NaN of a ray in the slab's face */
+	range[0] = fmax(
+		range[0],
+		fmin(a, b)); /* fmax and fmin pass over the NaN of a ray in the slab's face */
 	range[1] = fmin(range[1], fmax(a, b));
 	return range[0] <= range[1] + 1e-12 * fabs(range[1]);
 }
@@ -153,8 +164,10 @@ static bool meets_block(const Walk *walk, int level, int x, int z)
 		return false;
 	double range[2] = {walk->ray->tmin, walk->ray->tmax};
 	double cell_x = 1.0 / (field->desc.width - 1), cell_z = 1.0 / (field->desc.depth - 1);
-	double x0 = (double)((long)x << level), x1 = fmin(field->desc.width - 1, (double)((long)(x + 1) << level));
-	double z0 = (double)((long)z << level), z1 = fmin(field->desc.depth - 1, (double)((long)(z + 1) << level));
+	double x0 = (double)((long)x << level),
+	       x1 = fmin(field->desc.width - 1, (double)((long)(x + 1) << level));
+	double z0 = (double)((long)z << level),
+	       z1 = fmin(field->desc.depth - 1, (double)((long)(z + 1) << level));
 	double slack = 1e-6 * cell_x;
 	Vec3 o = walk->ray->origin, inverse = walk->inverse;
 	return meets_slab(x0 * cell_x - slack, x1 * cell_x + slack, o.x, inverse.x, range) &&
@@ -193,7 +206,8 @@ static bool find_cell(const HeightField *field, Vec3 p, int *part, Vec2 *at)
 	double x = p.x * (field->desc.width - 1), z = p.z * (field->desc.depth - 1);
 	if (!(p.x >= 0 && p.x <= 1 && p.z >= 0 && p.z <= 1))
 		return false;
-	int cx = (int)fmin(floor(x), field->desc.width - 2), cz = (int)fmin(floor(z), field->desc.depth - 2);
+	int cx = (int)fmin(floor(x), field->desc.width - 2),
+	    cz = (int)fmin(floor(z), field->desc.depth - 2);
 	*at = (Vec2){x - cx, z - cz};
 	*part = 2 * (cz * field->levels[0].width + cx) + (at->u + at->v > 1);
 	return true;
@@ -208,7 +222,8 @@ static bool height_field_inside(const void *data, Vec3 p)
 		return false;
 	Vec3 c[3];
 	half_corners(field, part, c);
-	double u = part & 1 ? 1 - at.v : at.u, v = part & 1 ? 1 - at.u : at.v; /* weights of corners 1 and 2 */
+	double u = part & 1 ? 1 - at.v : at.u,
+	       v = part & 1 ? 1 - at.u : at.v; /* weights of corners 1 and 2 */
 	return p.y < c[0].y + u * (c[1].y - c[0].y) + v * (c[2].y - c[0].y);
 }
 
@@ -226,8 +241,10 @@ static Vec3 sample_normal(const HeightField *field, int x, int z)
 {
 	int x0 = x > 0 ? x - 1 : x, x1 = x < field->desc.width - 1 ? x + 1 : x;
 	int z0 = z > 0 ? z - 1 : z, z1 = z < field->desc.depth - 1 ? z + 1 : z;
-	double along_x = (height(field, x1, z) - height(field, x0, z)) * (field->desc.width - 1) / (x1 - x0);
-	double along_z = (height(field, x, z1) - height(field, x, z0)) * (field->desc.depth - 1) / (z1 - z0);
+	double along_x = (height(field, x1, z) - height(field, x0, z)) * (field->desc.width - 1) /
+			 (x1 - x0);
+	double along_z = (height(field, x, z1) - height(field, x, z0)) * (field->desc.depth - 1) /
+			 (z1 - z0);
 	return vec3_normalize(vec3(-along_x, 1, -along_z));
 }
 

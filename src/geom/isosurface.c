@@ -88,7 +88,8 @@ static double refine(const Isosurface *isosurface, const Ray *ray, Sample a, Sam
 }
 
 /* The first change of sign between two samples, as far as the gradient promises to find it. */
-static bool first_root(const Isosurface *isosurface, const Ray *ray, Sample from, Sample to, double *t)
+static bool first_root(const Isosurface *isosurface, const Ray *ray, Sample from, Sample to,
+		       double *t)
 {
 	double speed = vec3_length(ray->direction), shortest = isosurface->desc.accuracy / speed;
 	double gradient = isosurface->gradient * speed;
@@ -168,7 +169,9 @@ static void isosurface_cross(const Shape *self, const Ray *ray, int most, HitLis
 static void isosurface_intersect(const Shape *self, const Ray *ray, HitList *out)
 {
 	const Isosurface *isosurface = self->data;
-	isosurface_cross(self, ray, isosurface->desc.max_trace > 0 ? isosurface->desc.max_trace : 1 << 20, out);
+	isosurface_cross(self, ray,
+			 isosurface->desc.max_trace > 0 ? isosurface->desc.max_trace : 1 << 20,
+			 out);
 }
 
 static bool isosurface_nearest(const Shape *self, const Ray *ray, Hit *out)

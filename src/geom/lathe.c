@@ -1,14 +1,14 @@
 /*
- * Lathes: a curve (r(s), y(s)) turned about the y axis. A ray o + t d meets it where |o + t d|_xz = r(s) and oy + t dy = y(s);
- * with t taken from the second, the first is a polynomial in s of twice the curve's degree. A level ray (dy = 0) takes s
- * from the second and t from the first.
+ * Lathes: a curve (r(s), y(s)) turned about the y axis. A ray o + t d meets it where |o + t d|_xz =
+ * r(s) and oy + t dy = y(s); with t taken from the second, the first is a polynomial in s of twice
+ * the curve's degree. A level ray (dy = 0) takes s from the second and t from the first.
  */
 #include "geom/polynomial.h"
 #include "geom/sweep.h"
 
 /*
- * Runs of neighbouring segments share a ring around them, in a binary tree: node n has the children 2n + 1 and 2n + 2, each with half
- * of its segments; a node of one segment is a leaf.
+ * Runs of neighbouring segments share a ring around them, in a binary tree: node n has the children
+ * 2n + 1 and 2n + 2, each with half of its segments; a node of one segment is a leaf.
  */
 typedef struct Ring {
 	double low, high;    /* heights */
@@ -25,7 +25,8 @@ typedef struct Lathe {
 
 static Ring ring_of(const CurveSegment *g)
 {
-	double a = fabs(g->lo.u), b = fabs(g->hi.u), inner = g->lo.u < 0 && g->hi.u > 0 ? 0 : fmin(a, b), outer = fmax(a, b);
+	double a = fabs(g->lo.u), b = fabs(g->hi.u),
+	       inner = g->lo.u < 0 && g->hi.u > 0 ? 0 : fmin(a, b), outer = fmax(a, b);
 	return (Ring){g->lo.v, g->hi.v, inner * inner, outer * outer};
 }
 
@@ -43,8 +44,8 @@ static void build_rings(Lathe *lathe, int node, int first, int count)
 	*ring = ring_of(&lathe->segments[first]);
 	for (int i = first + 1; i < first + count; i++) {
 		Ring other = ring_of(&lathe->segments[i]);
-		*ring = (Ring){fmin(ring->low, other.low), fmax(ring->high, other.high), fmin(ring->inner, other.inner),
-		               fmax(ring->outer, other.outer)};
+		*ring = (Ring){fmin(ring->low, other.low), fmax(ring->high, other.high),
+			       fmin(ring->inner, other.inner), fmax(ring->outer, other.outer)};
 	}
 	if (count == 1)
 		return;
@@ -55,14 +56,19 @@ static void build_rings(Lathe *lathe, int node, int first, int count)
 const void *lathe_create(Arena *arena, const LatheDesc *desc, const char **error)
 {
 	int count;
-	CurveSegment *segments = curve_from_points(arena, desc->kind, desc->points, desc->point_count, &count, error);
+	CurveSegment *segments = curve_from_points(arena, desc->kind, desc->points,
+						   desc->point_count, &count, error);
 	if (!segments)
 		return NULL;
 	Outline bounds = outline_create(segments, count);
 	Lathe *lathe = ARENA_NEW(arena, Lathe);
 	*lathe = (Lathe){
-		.segments = segments, .count = count, .rings = ARENA_ARRAY(arena, Ring, tree_size(count)),
-		.radius = fmax(fabs(bounds.lo.u), fabs(bounds.hi.u)), .low = bounds.lo.v, .high = bounds.hi.v,
+		.segments = segments,
+		.count = count,
+		.rings = ARENA_ARRAY(arena, Ring, tree_size(count)),
+		.radius = fmax(fabs(bounds.lo.u), fabs(bounds.hi.u)),
+		.low = bounds.lo.v,
+		.high = bounds.hi.v,
 	};
 	lathe->tiny = 1e-12 * fmax(lathe->radius, lathe->high - lathe->low);
 	build_rings(lathe, 0, 0, count);
@@ -154,8 +160,8 @@ static double distance_at(const AxisDistance *q, double t)
 	return (q->a * t + 2 * q->b) * t + q->c;
 }
 
-/* Whether the ray passes the ring by: it is never between its heights and, there, between its radii. A little slack covers
- * rounding. */
+/* Whether the ray passes the ring by: it is never between its heights and, there, between its
+ * radii. A little slack covers rounding. */
 static bool passes_by(const Turning *turning, const Ring *ring)
 {
 	const Ray *ray = turning->ray;
@@ -164,7 +170,8 @@ static bool passes_by(const Turning *turning, const Ring *ring)
 		if (ray->origin.y < ring->low || ray->origin.y > ring->high)
 			return true;
 	} else {
-		double a = (ring->low - ray->origin.y) * turning->inverse, b = (ring->high - ray->origin.y) * turning->inverse;
+		double a = (ring->low - ray->origin.y) * turning->inverse,
+		       b = (ring->high - ray->origin.y) * turning->inverse;
 		near = larger(near, smaller(a, b));
 		far = smaller(far, larger(a, b));
 	}
@@ -176,7 +183,8 @@ static bool passes_by(const Turning *turning, const Ring *ring)
 	double t = smaller(larger(turning->closest, near), far);
 	if (distance_at(&turning->q, t) > ring->outer * (1 + 1e-9))
 		return true;
-	return far < 1e30 && larger(distance_at(&turning->q, near), distance_at(&turning->q, far)) < ring->inner * (1 - 1e-9);
+	return far < 1e30 && larger(distance_at(&turning->q, near), distance_at(&turning->q, far)) <
+				     ring->inner * (1 - 1e-9);
 }
 
 static void cross_rings(const Turning *turning, int node, int first, int count)
@@ -195,7 +203,8 @@ static void cross_rings(const Turning *turning, int node, int first, int count)
 
 static void lathe_intersect(const Shape *self, const Ray *ray, HitList *out)
 {
-	Turning turning = {.self = self, .lathe = self->data, .ray = ray, .q = axis_distance(ray), .out = out};
+	Turning turning = {
+		.self = self, .lathe = self->data, .ray = ray, .q = axis_distance(ray), .out = out};
 	double dy = ray->direction.y, reach = sqrt(turning.q.a + dy * dy);
 	turning.level = fabs(dy) < 1e-9 * reach;
 	turning.inverse = 1 / dy;
@@ -203,7 +212,8 @@ static void lathe_intersect(const Shape *self, const Ray *ray, HitList *out)
 	cross_rings(&turning, 0, 0, turning.lathe->count);
 }
 
-/* Inside when the half line from (r, y) away from the axis crosses the curve an odd number of times. */
+/* Inside when the half line from (r, y) away from the axis crosses the curve an odd number of
+ * times. */
 static bool lathe_inside(const void *data, Vec3 p)
 {
 	const Lathe *lathe = data;
@@ -234,7 +244,8 @@ static Vec3 lathe_normal(const void *data, const Hit *hit, Vec3 p)
 static Vec2 lathe_uv(const void *data, const Hit *hit, Vec3 p)
 {
 	double turn = atan2(p.x, p.z) / (2 * M_PI);
-	return (Vec2){turn < 0 ? turn + 1 : turn, (hit->part + hit->u) / ((const Lathe *)data)->count};
+	return (Vec2){turn < 0 ? turn + 1 : turn,
+		      (hit->part + hit->u) / ((const Lathe *)data)->count};
 }
 
 const ShapeClass lathe_class = {

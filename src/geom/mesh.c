@@ -48,7 +48,8 @@ static bool triangle_bounds(const void *data, Box3 *box)
 static bool triangle_nearest(const Shape *self, const Ray *ray, Hit *out)
 {
 	const Triangle *tri = self->data;
-	Corners corners = {tri->corner[0], vec3_sub(tri->corner[1], tri->corner[0]), vec3_sub(tri->corner[2], tri->corner[0])};
+	Corners corners = {tri->corner[0], vec3_sub(tri->corner[1], tri->corner[0]),
+			   vec3_sub(tri->corner[2], tri->corner[0])};
 	out->shape = self;
 	out->part = 0;
 	return hit_corners(&corners, ray, out);
@@ -65,7 +66,8 @@ static Vec3 triangle_normal(const void *data, const Hit *hit, Vec3 p)
 {
 	(void)hit, (void)p;
 	const Triangle *tri = data;
-	return vec3_cross(vec3_sub(tri->corner[1], tri->corner[0]), vec3_sub(tri->corner[2], tri->corner[0]));
+	return vec3_cross(vec3_sub(tri->corner[1], tri->corner[0]),
+			  vec3_sub(tri->corner[2], tri->corner[0]));
 }
 
 static Vec3 triangle_shading_normal(const void *data, const Hit *hit, Vec3 p)
@@ -122,10 +124,12 @@ static const char *range_error(const MeshDesc *d)
 {
 	if (!indices_in_range(d->triangles, d->triangle_count, 0, d->vertex_count))
 		return "a face index is out of range";
-	if (d->normals && !indices_in_range(d->normal_indices ? d->normal_indices : d->triangles, d->triangle_count,
-	                                    d->normal_indices ? -1 : 0, d->normal_count))
+	if (d->normals &&
+	    !indices_in_range(d->normal_indices ? d->normal_indices : d->triangles,
+			      d->triangle_count, d->normal_indices ? -1 : 0, d->normal_count))
 		return "a normal index is out of range";
-	if (d->uvs && !indices_in_range(d->uv_indices ? d->uv_indices : d->triangles, d->triangle_count, 0, d->uv_count))
+	if (d->uvs && !indices_in_range(d->uv_indices ? d->uv_indices : d->triangles,
+					d->triangle_count, 0, d->uv_count))
 		return "a uv index is out of range";
 	return NULL;
 }
@@ -155,7 +159,8 @@ static Vec3 vertex(const Mesh *mesh, int triangle, int corner)
 bool mesh_hit_triangle(const Mesh *mesh, int triangle, const Ray *ray, Hit *hit)
 {
 	Vec3 a = vertex(mesh, triangle, 0);
-	Corners corners = {a, vec3_sub(vertex(mesh, triangle, 1), a), vec3_sub(vertex(mesh, triangle, 2), a)};
+	Corners corners = {a, vec3_sub(vertex(mesh, triangle, 1), a),
+			   vec3_sub(vertex(mesh, triangle, 2), a)};
 	if (!hit_corners(&corners, ray, hit))
 		return false;
 	hit->part = triangle;
@@ -240,7 +245,8 @@ static Vec3 mesh_normal(const void *data, const Hit *hit, Vec3 p)
 {
 	(void)p;
 	Vec3 a = vertex(data, hit->part, 0);
-	return vec3_cross(vec3_sub(vertex(data, hit->part, 1), a), vec3_sub(vertex(data, hit->part, 2), a));
+	return vec3_cross(vec3_sub(vertex(data, hit->part, 1), a),
+			  vec3_sub(vertex(data, hit->part, 2), a));
 }
 
 static Vec3 mesh_shading_normal(const void *data, const Hit *hit, Vec3 p)
@@ -268,7 +274,8 @@ static Vec2 mesh_uv(const void *data, const Hit *hit, Vec3 p)
 	const int *index = (d->uv_indices ? d->uv_indices : d->triangles)[hit->part];
 	const float *a = d->uvs[index[0]], *b = d->uvs[index[1]], *c = d->uvs[index[2]];
 	double w = 1 - hit->u - hit->v;
-	return (Vec2){w * a[0] + hit->u * b[0] + hit->v * c[0], w * a[1] + hit->u * b[1] + hit->v * c[1]};
+	return (Vec2){w * a[0] + hit->u * b[0] + hit->v * c[0],
+		      w * a[1] + hit->u * b[1] + hit->v * c[1]};
 }
 
 static void add_texture(ShapeTextures *out, int number, double weight)

@@ -5,16 +5,17 @@
 #include <stdlib.h>
 
 /*
- * Nodes are split at the middle of the longest axis of their centroids, at the median when that leaves one side empty; leaves
- * hold up to LEAF triangles. Good enough for what is left over by the accelerator. Memory is set aside when the mesh is
- * made, because arenas are not for threads.
+ * Nodes are split at the middle of the longest axis of their centroids, at the median when that
+ * leaves one side empty; leaves hold up to LEAF triangles. Good enough for what is left over by the
+ * accelerator. Memory is set aside when the mesh is made, because arenas are not for threads.
  */
 
 enum { LEAF = 4, DEPTH = 64 };
 
 typedef struct TreeNode {
 	float lo[3], hi[3];
-	int first; /* leaf: first in order; inner: number of the right child, the left one follows its parent */
+	int first; /* leaf: first in order; inner: number of the right child, the left one follows
+		      its parent */
 	int count; /* leaf: triangles, at least 1; inner: 0 */
 	int axis;
 } TreeNode;
@@ -79,7 +80,8 @@ static TreeNode *start_node(const Builder *b, int first, int count, float lo[3],
 	for (int i = first; i < first + count; i++) {
 		int triangle = b->tree->order[i];
 		for (int k = 0; k < 3; k++)
-			grow(node->lo, node->hi, b->mesh->desc.vertices[b->mesh->desc.triangles[triangle][k]]);
+			grow(node->lo, node->hi,
+			     b->mesh->desc.vertices[b->mesh->desc.triangles[triangle][k]]);
 		grow(lo, hi, b->centers[triangle]);
 	}
 	return node;
@@ -115,8 +117,10 @@ static void build_tree(const Mesh *mesh)
 		const int *t = mesh->desc.triangles[i];
 		tree->order[i] = i;
 		for (int k = 0; k < 3; k++)
-			b.centers[i][k] = (mesh->desc.vertices[t[0]][k] + mesh->desc.vertices[t[1]][k] +
-			                   mesh->desc.vertices[t[2]][k]) / 3;
+			b.centers[i][k] = (mesh->desc.vertices[t[0]][k] +
+					   mesh->desc.vertices[t[1]][k] +
+					   mesh->desc.vertices[t[2]][k]) /
+					  3;
 	}
 	if (count > 0)
 		build(&b, 0, count, 0);
@@ -142,8 +146,10 @@ static bool meets(const TreeNode *node, const Ray *ray, const double inverse[3])
 	const double origin[3] = {ray->origin.x, ray->origin.y, ray->origin.z};
 	double near = ray->tmin, far = ray->tmax;
 	for (int k = 0; k < 3; k++) {
-		double a = (node->lo[k] - origin[k]) * inverse[k], b = (node->hi[k] - origin[k]) * inverse[k];
-		near = fmax(near, fmin(a, b)); /* fmax and fmin pass over NaN: a ray along a face counts as inside */
+		double a = (node->lo[k] - origin[k]) * inverse[k],
+		       b = (node->hi[k] - origin[k]) * inverse[k];
+		near = fmax(near, fmin(a, b)); /* fmax and fmin pass over NaN: a ray along a face
+						  counts as inside */
 		far = fmin(far, fmax(a, b));
 	}
 	return near <= far + 1e-9 * fabs(far);

@@ -6,12 +6,14 @@
 
 Vec2 curve_point(const CurveSegment *g, double s)
 {
-	return (Vec2){g->u[0] + s * (g->u[1] + s * (g->u[2] + s * g->u[3])), g->v[0] + s * (g->v[1] + s * (g->v[2] + s * g->v[3]))};
+	return (Vec2){g->u[0] + s * (g->u[1] + s * (g->u[2] + s * g->u[3])),
+		      g->v[0] + s * (g->v[1] + s * (g->v[2] + s * g->v[3]))};
 }
 
 Vec2 curve_tangent(const CurveSegment *g, double s)
 {
-	return (Vec2){g->u[1] + s * (2 * g->u[2] + s * 3 * g->u[3]), g->v[1] + s * (2 * g->v[2] + s * 3 * g->v[3])};
+	return (Vec2){g->u[1] + s * (2 * g->u[2] + s * 3 * g->u[3]),
+		      g->v[1] + s * (2 * g->v[2] + s * 3 * g->v[3])};
 }
 
 static void include_value(double *lo, double *hi, double x)
@@ -45,7 +47,8 @@ void curve_finish(CurveSegment *segment)
 	cubic_range(segment->v, &segment->lo.v, &segment->hi.v);
 }
 
-/* Coefficients of one coordinate from the points around a segment, k pointing at the segment's own first point. */
+/* Coefficients of one coordinate from the points around a segment, k pointing at the segment's own
+ * first point. */
 static void coefficients(CurveKind kind, const double *k, double a[4])
 {
 	memset(a, 0, 4 * sizeof *a);
@@ -74,7 +77,8 @@ static void coefficients(CurveKind kind, const double *k, double a[4])
 	}
 }
 
-/* How many points stand before the first segment's start, and how many a segment needs from there on. */
+/* How many points stand before the first segment's start, and how many a segment needs from there
+ * on. */
 static const struct { int before, span, step; } layout[] = {
 	[CURVE_LINEAR] = {0, 2, 1},
 	[CURVE_QUADRATIC] = {1, 2, 1},
@@ -82,8 +86,8 @@ static const struct { int before, span, step; } layout[] = {
 	[CURVE_BEZIER] = {0, 4, 4},
 };
 
-CurveSegment *curve_from_points(Arena *arena, CurveKind kind, const Vec2 *points, int point_count, int *count,
-                                const char **error)
+CurveSegment *curve_from_points(Arena *arena, CurveKind kind, const Vec2 *points, int point_count,
+				int *count, const char **error)
 {
 	int before = layout[kind].before, span = layout[kind].span, step = layout[kind].step;
 	int segments = (point_count - before - span) / step + 1;
@@ -119,11 +123,13 @@ Outline outline_create(const CurveSegment *segments, int count)
 	return outline;
 }
 
-/* The function c0 + c1 u + c2 v is linear over the segment's box, so its sign at the corners tells whether it can be zero. */
+/* The function c0 + c1 u + c2 v is linear over the segment's box, so its sign at the corners tells
+ * whether it can be zero. */
 static bool line_misses(const CurveSegment *g, const double c[3])
 {
 	double middle = c[0] + c[1] * 0.5 * (g->lo.u + g->hi.u) + c[2] * 0.5 * (g->lo.v + g->hi.v);
-	double reach = fabs(c[1]) * 0.5 * (g->hi.u - g->lo.u) + fabs(c[2]) * 0.5 * (g->hi.v - g->lo.v);
+	double reach = fabs(c[1]) * 0.5 * (g->hi.u - g->lo.u) +
+		       fabs(c[2]) * 0.5 * (g->hi.v - g->lo.v);
 	return fabs(middle) > reach * (1 + 1e-12);
 }
 
@@ -144,8 +150,8 @@ int curve_cross_line(const CurveSegment *g, const double c[3], double s[3])
 	return kept;
 }
 
-/* Crossings of the half line from p along +u. A segment that starts or ends at p's height is counted by whether its ends lie on
- * different sides, so a joint counts once. */
+/* Crossings of the half line from p along +u. A segment that starts or ends at p's height is
+ * counted by whether its ends lie on different sides, so a joint counts once. */
 static bool crosses_odd(const CurveSegment *g, Vec2 p)
 {
 	if (p.v < g->lo.v || p.v > g->hi.v || p.u > g->hi.u)
@@ -168,7 +174,8 @@ static bool crosses_odd(const CurveSegment *g, Vec2 p)
 
 bool outline_inside(const Outline *outline, Vec2 p)
 {
-	if (p.u < outline->lo.u || p.u > outline->hi.u || p.v < outline->lo.v || p.v > outline->hi.v)
+	if (p.u < outline->lo.u || p.u > outline->hi.u || p.v < outline->lo.v ||
+	    p.v > outline->hi.v)
 		return false;
 	bool inside = false;
 	for (int i = 0; i < outline->count; i++)

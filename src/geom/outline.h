@@ -1,6 +1,6 @@
 /*
- * Closed plane curves made of polynomial segments of degree 3 or less: what prisms and letters are swept from, and whose halves
- * lathes are turned from.
+ * Closed plane curves made of polynomial segments of degree 3 or less: what prisms and letters are
+ * swept from, and whose halves lathes are turned from.
  */
 #ifndef GEOM_OUTLINE_H
 #define GEOM_OUTLINE_H
@@ -25,11 +25,12 @@ typedef enum CurveKind { CURVE_LINEAR, CURVE_QUADRATIC, CURVE_CUBIC, CURVE_BEZIE
 Vec2 curve_point(const CurveSegment *segment, double s);
 Vec2 curve_tangent(const CurveSegment *segment, double s);
 
-/* Segments through points as POV-Ray's prism and lathe read them: linear: from each point to the next; quadratic: the first point
- * is a control point only; cubic: the first and the last; bezier: four points a segment. Returns the segments, *count of them;
- * NULL with *error set when there are too few points. */
-CurveSegment *curve_from_points(Arena *arena, CurveKind kind, const Vec2 *points, int point_count, int *count,
-                                const char **error);
+/* Segments through points as POV-Ray's prism and lathe read them: linear: from each point to the
+ * next; quadratic: the first point is a control point only; cubic: the first and the last; bezier:
+ * four points a segment. Returns the segments, *count of them; NULL with *error set when there are
+ * too few points. */
+CurveSegment *curve_from_points(Arena *arena, CurveKind kind, const Vec2 *points, int point_count,
+				int *count, const char **error);
 void curve_finish(CurveSegment *segment); /* computes the bounds */
 Outline outline_create(const CurveSegment *segments, int count);
 

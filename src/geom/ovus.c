@@ -33,7 +33,9 @@ const void *ovus_create(Arena *arena, double bottom_radius, double top_radius, c
 	/* |(-h, v)| = arc - bottom and |(-h, v) - (0, bottom)| = arc - top. */
 	ovus->arc = 2 * fmax(bottom_radius, top_radius);
 	double to_bottom = ovus->arc - bottom_radius, to_top = ovus->arc - top_radius;
-	ovus->height = ((to_bottom - to_top) * (to_bottom + to_top) / bottom_radius + bottom_radius) / 2;
+	ovus->height = ((to_bottom - to_top) * (to_bottom + to_top) / bottom_radius +
+			bottom_radius) /
+		       2;
 	ovus->across = sqrt(fmax(0, to_bottom * to_bottom - ovus->height * ovus->height));
 	ovus->low = -ovus->height * bottom_radius / to_bottom;
 	ovus->high = bottom_radius + (bottom_radius - ovus->height) * top_radius / to_top;
@@ -93,8 +95,9 @@ static void cross_arc(const Shape *self, const Ray *ray, HitList *out)
 	Vec3 q = vec3_sub(ray_at(ray, middle), vec3(0, ovus->height, 0)), d = ray->direction;
 	double a = vec3_dot(d, d), b = 2 * vec3_dot(q, d);
 	double c = vec3_dot(q, q) + (ovus->across - ovus->arc) * (ovus->across + ovus->arc);
-	double quartic[5] = {c * c - k * (q.x * q.x + q.z * q.z), 2 * b * c - 2 * k * (q.x * d.x + q.z * d.z),
-	                     b * b + 2 * a * c - k * (d.x * d.x + d.z * d.z), 2 * a * b, a * a};
+	double quartic[5] = {c * c - k * (q.x * q.x + q.z * q.z),
+			     2 * b * c - 2 * k * (q.x * d.x + q.z * d.z),
+			     b * b + 2 * a * c - k * (d.x * d.x + d.z * d.z), 2 * a * b, a * a};
 	int count = polynomial_roots(quartic, 4, -half, half, roots);
 	for (int i = 0; i < count; i++)
 		if ((a * roots[i] + b) * roots[i] + c <= 0)

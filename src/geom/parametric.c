@@ -21,7 +21,8 @@ typedef struct Parametric {
 
 ParametricDesc parametric_default(void)
 {
-	return (ParametricDesc){.container = container_default(), .accuracy = 0.001, .max_gradient = 1};
+	return (ParametricDesc){
+		.container = container_default(), .accuracy = 0.001, .max_gradient = 1};
 }
 
 static Vec3 point_at(const Parametric *shape, Vec2 at)
@@ -31,7 +32,8 @@ static Vec3 point_at(const Parametric *shape, Vec2 at)
 
 static Vec2 grid_place(const Parametric *shape, double column, double row)
 {
-	return (Vec2){shape->desc.lo.u + column * shape->step.u, shape->desc.lo.v + row * shape->step.v};
+	return (Vec2){shape->desc.lo.u + column * shape->step.u,
+		      shape->desc.lo.v + row * shape->step.v};
 }
 
 /* The box of a cell: its corners and middle, wider by how far the middle bulges. */
@@ -62,7 +64,8 @@ static void compute_corners(Arena *arena, Parametric *shape)
 	Vec3 *corners = ARENA_ARRAY(arena, Vec3, width * width);
 	for (int row = 0; row < width; row++)
 		for (int column = 0; column < width; column++)
-			corners[row * width + column] = point_at(shape, grid_place(shape, column, row));
+			corners[row * width + column] = point_at(shape,
+								 grid_place(shape, column, row));
 	shape->corners = corners;
 }
 
@@ -75,10 +78,12 @@ const void *parametric_create(Arena *arena, const ParametricDesc *desc, const ch
 	Parametric *shape = ARENA_NEW(arena, Parametric);
 	shape->desc = *desc;
 	shape->grid = desc->precompute > 12 ? GRID_FINE : GRID_DEFAULT;
-	shape->step = (Vec2){(desc->hi.u - desc->lo.u) / shape->grid, (desc->hi.v - desc->lo.v) / shape->grid};
+	shape->step = (Vec2){(desc->hi.u - desc->lo.u) / shape->grid,
+			     (desc->hi.v - desc->lo.v) / shape->grid};
 	compute_corners(arena, shape);
 	int count = shape->grid * shape->grid;
-	Box3 *boxes = ARENA_ARRAY(arena, Box3, count), container = container_bounds(&desc->container);
+	Box3 *boxes = ARENA_ARRAY(arena, Box3, count),
+	     container = container_bounds(&desc->container);
 	shape->box = box3_empty();
 	for (int i = 0; i < count; i++) {
 		boxes[i] = box3_intersect(cell_box(shape, i), container);
@@ -99,8 +104,12 @@ static bool parametric_bounds(const void *data, Box3 *box)
 static void tangents_at(const Parametric *shape, Vec2 at, Vec3 *u, Vec3 *v)
 {
 	double du = 1e-4 * shape->step.u, dv = 1e-4 * shape->step.v;
-	*u = vec3_scale(vec3_sub(point_at(shape, (Vec2){at.u + du, at.v}), point_at(shape, (Vec2){at.u - du, at.v})), 0.5 / du);
-	*v = vec3_scale(vec3_sub(point_at(shape, (Vec2){at.u, at.v + dv}), point_at(shape, (Vec2){at.u, at.v - dv})), 0.5 / dv);
+	*u = vec3_scale(vec3_sub(point_at(shape, (Vec2){at.u + du, at.v}),
+				 point_at(shape, (Vec2){at.u - du, at.v})),
+			0.5 / du);
+	*v = vec3_scale(vec3_sub(point_at(shape, (Vec2){at.u, at.v + dv}),
+				 point_at(shape, (Vec2){at.u, at.v - dv})),
+			0.5 / dv);
 }
 
 /* Solves a x + b y + c z = d. */
@@ -132,13 +141,15 @@ static bool polish(const Parametric *shape, const Ray *ray, Vec2 low, Vec2 *at, 
 		at->u += change.x;
 		at->v += change.y;
 		*t += change.z;
-		if (fabs(at->u - low.u) > 3 * shape->step.u || fabs(at->v - low.v) > 3 * shape->step.v)
+		if (fabs(at->u - low.u) > 3 * shape->step.u ||
+		    fabs(at->v - low.v) > 3 * shape->step.v)
 			return false;
 		if (fabs(change.x) < 1e-9 * shape->step.u && fabs(change.y) < 1e-9 * shape->step.v)
 			break;
 	}
-	return at->u >= low.u - slack.u && at->u <= low.u + shape->step.u + slack.u && at->v >= low.v - slack.v &&
-	       at->v <= low.v + shape->step.v + slack.v && at->u >= shape->desc.lo.u && at->u <= shape->desc.hi.u &&
+	return at->u >= low.u - slack.u && at->u <= low.u + shape->step.u + slack.u &&
+	       at->v >= low.v - slack.v && at->v <= low.v + shape->step.v + slack.v &&
+	       at->u >= shape->desc.lo.u && at->u <= shape->desc.hi.u &&
 	       at->v >= shape->desc.lo.v && at->v <= shape->desc.hi.v;
 }
 
@@ -151,8 +162,10 @@ static void add_crossing(const ParametricQuery *query, double t, Vec2 at)
 	for (int i = query->first; i < query->out->count; i++)
 		if (fabs(query->out->hits[i].t - t) < same)
 			return;
-	if (t > ray->tmin && t < ray->tmax && container_inside(&shape->desc.container, ray_at(ray, t)))
-		hit_list_push(query->out, (Hit){.t = t, .shape = query->self, .u = at.u, .v = at.v});
+	if (t > ray->tmin && t < ray->tmax &&
+	    container_inside(&shape->desc.container, ray_at(ray, t)))
+		hit_list_push(query->out,
+			      (Hit){.t = t, .shape = query->self, .u = at.u, .v = at.v});
 }
 
 static bool visit_cell(void *data, int cell)
@@ -166,10 +179,12 @@ static bool visit_cell(void *data, int cell)
 		Vec3 start = half ? corner[width + 1] : corner[0], guess;
 		Vec3 u = half ? vec3_sub(corner[width], start) : vec3_sub(corner[1], start);
 		Vec3 v = half ? vec3_sub(corner[1], start) : vec3_sub(corner[width], start);
-		if (!solve(u, v, vec3_neg(query->ray->direction), vec3_sub(query->ray->origin, start), &guess))
+		if (!solve(u, v, vec3_neg(query->ray->direction),
+			   vec3_sub(query->ray->origin, start), &guess))
 			continue;
 		double a = fmax(0, fmin(1, guess.x)), b = fmax(0, fmin(1, guess.y)), t = guess.z;
-		Vec2 at = {low.u + (half ? 1 - a : a) * shape->step.u, low.v + (half ? 1 - b : b) * shape->step.v};
+		Vec2 at = {low.u + (half ? 1 - a : a) * shape->step.u,
+			   low.v + (half ? 1 - b : b) * shape->step.v};
 		if (polish(shape, query->ray, low, &at, &t))
 			add_crossing(query, t, at);
 	}

@@ -17,7 +17,8 @@ static Vec3 newell_normal(const Vec3 *p, int count)
 {
 	Vec3 n = vec3(0, 0, 0);
 	for (int i = 0; i < count; i++)
-		n = vec3_add(n, vec3_cross(vec3_sub(p[i], p[0]), vec3_sub(p[(i + 1) % count], p[0])));
+		n = vec3_add(n,
+			     vec3_cross(vec3_sub(p[i], p[0]), vec3_sub(p[(i + 1) % count], p[0])));
 	return n;
 }
 
@@ -73,8 +74,12 @@ const void *polygon_create(Arena *arena, const Vec3 *points, int count, const ch
 		*error = "the points of a polygon must not lie in a line";
 		return NULL;
 	}
-	*polygon = (Polygon){.origin = points[0], .n = vec3_normalize(n), .edges = edges,
-	                     .lo = {INFINITY, INFINITY}, .hi = {-INFINITY, -INFINITY}, .box = box3_empty()};
+	*polygon = (Polygon){.origin = points[0],
+			     .n = vec3_normalize(n),
+			     .edges = edges,
+			     .lo = {INFINITY, INFINITY},
+			     .hi = {-INFINITY, -INFINITY},
+			     .box = box3_empty()};
 	vec3_frame(polygon->n, &polygon->u, &polygon->v);
 	for (int start = 0; start < count;) {
 		int length = part_points(points + start, count - start);
@@ -94,7 +99,8 @@ static bool polygon_bounds(const void *data, Box3 *box)
 
 static bool covers(const Polygon *polygon, Vec2 p)
 {
-	if (p.u < polygon->lo.u || p.u > polygon->hi.u || p.v < polygon->lo.v || p.v > polygon->hi.v)
+	if (p.u < polygon->lo.u || p.u > polygon->hi.u || p.v < polygon->lo.v ||
+	    p.v > polygon->hi.v)
 		return false;
 	bool inside = false;
 	for (int i = 0; i < polygon->count; i++) {
@@ -110,7 +116,8 @@ static bool polygon_nearest(const Shape *self, const Ray *ray, Hit *out)
 	const Polygon *polygon = self->data;
 	double along = vec3_dot(ray->direction, polygon->n);
 	double t = vec3_dot(vec3_sub(polygon->origin, ray->origin), polygon->n) / along;
-	if (along == 0 || !(t > ray->tmin && t < ray->tmax) || !covers(polygon, flatten(polygon, ray_at(ray, t))))
+	if (along == 0 || !(t > ray->tmin && t < ray->tmax) ||
+	    !covers(polygon, flatten(polygon, ray_at(ray, t))))
 		return false;
 	*out = (Hit){.t = t, .shape = self};
 	return true;
@@ -186,7 +193,8 @@ static double plane_distance(Vec3 a, Vec3 b, Vec3 c, Vec3 p)
 	return fabs(vec3_dot(n, vec3_sub(p, a)));
 }
 
-/* Doublings needed until cells are as flat as asked; the bow of a Bezier patch falls by four with each. */
+/* Doublings needed until cells are as flat as asked; the bow of a Bezier patch falls by four with
+ * each. */
 static int steps_for(const PatchDesc *desc, int most)
 {
 	most = most < 0 ? 0 : most > MOST_STEPS ? MOST_STEPS : most;
@@ -194,7 +202,8 @@ static int steps_for(const PatchDesc *desc, int most)
 		return most;
 	double bow = 0;
 	for (int i = 0; i < 16; i++)
-		bow = fmax(bow, plane_distance(desc->control[0], desc->control[3], desc->control[12], desc->control[i]));
+		bow = fmax(bow, plane_distance(desc->control[0], desc->control[3],
+					       desc->control[12], desc->control[i]));
 	int steps = 0;
 	for (; steps < most && bow > desc->flatness; steps++)
 		bow /= 4;
@@ -245,7 +254,8 @@ static void fill_triangles(PatchGrid *grid)
 {
 	for (int row = 0, i = 0; row < grid->rows; row++) {
 		for (int column = 0; column < grid->columns; column++, i += 2) {
-			int a = row * (grid->columns + 1) + column, b = a + 1, c = a + grid->columns + 1, d = c + 1;
+			int a = row * (grid->columns + 1) + column, b = a + 1,
+			    c = a + grid->columns + 1, d = c + 1;
 			int cell[2][3] = {{a, b, d}, {a, d, c}};
 			for (int k = 0; k < 3; k++) {
 				grid->triangles[i][k] = cell[0][k];
@@ -257,7 +267,8 @@ static void fill_triangles(PatchGrid *grid)
 
 Mesh *bicubic_patch_create(Arena *arena, const PatchDesc *desc)
 {
-	PatchGrid grid = {.columns = 1 << steps_for(desc, desc->u_steps), .rows = 1 << steps_for(desc, desc->v_steps)};
+	PatchGrid grid = {.columns = 1 << steps_for(desc, desc->u_steps),
+			  .rows = 1 << steps_for(desc, desc->v_steps)};
 	int points = (grid.columns + 1) * (grid.rows + 1), triangles = 2 * grid.columns * grid.rows;
 	grid.points = arena_alloc(arena, sizeof(float[3]) * (size_t)points);
 	grid.normals = arena_alloc(arena, sizeof(float[3]) * (size_t)points);
@@ -265,9 +276,14 @@ Mesh *bicubic_patch_create(Arena *arena, const PatchDesc *desc)
 	grid.triangles = arena_alloc(arena, sizeof(int[3]) * (size_t)triangles);
 	fill_points(desc, &grid);
 	fill_triangles(&grid);
-	MeshDesc mesh = {.vertices = grid.points, .vertex_count = points, .triangles = grid.triangles,
-	                 .triangle_count = triangles, .normals = grid.normals, .normal_count = points,
-	                 .uvs = grid.uvs, .uv_count = points};
+	MeshDesc mesh = {.vertices = grid.points,
+			 .vertex_count = points,
+			 .triangles = grid.triangles,
+			 .triangle_count = triangles,
+			 .normals = grid.normals,
+			 .normal_count = points,
+			 .uvs = grid.uvs,
+			 .uv_count = points};
 	const char *error;
 	return mesh_create(arena, &mesh, &error);
 }

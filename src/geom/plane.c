@@ -25,7 +25,9 @@ static const void *plane_placed(Arena *arena, const void *data, const Transform 
 	const Plane *plane = data;
 	Plane *placed = ARENA_NEW(arena, Plane);
 	placed->normal = vec3_normalize(transform_normal(transform, plane->normal));
-	placed->distance = vec3_dot(placed->normal, transform_point(transform, vec3_scale(plane->normal, plane->distance)));
+	placed->distance = vec3_dot(
+		placed->normal,
+		transform_point(transform, vec3_scale(plane->normal, plane->distance)));
 	return placed;
 }
 
@@ -43,7 +45,8 @@ static Box3 plane_cut(const void *data, bool outside, Box3 box)
 	double n[] = {sign * plane->normal.x, sign * plane->normal.y, sign * plane->normal.z};
 	for (int i = 0; i < 3; i++) {
 		int j = (i + 1) % 3, k = (i + 2) % 3;
-		double most = sign * plane->distance - least_product(n[j], lo[j], hi[j]) - least_product(n[k], lo[k], hi[k]);
+		double most = sign * plane->distance - least_product(n[j], lo[j], hi[j]) -
+			      least_product(n[k], lo[k], hi[k]);
 		if (n[i] > 0 && most / n[i] < hi[i])
 			hi[i] = most / n[i];
 		if (n[i] < 0 && most / n[i] > lo[i])

@@ -24,7 +24,8 @@ typedef struct Quadric {
 const void *quadric_create(Arena *arena, const double c[10])
 {
 	Quadric *quadric = ARENA_NEW(arena, Quadric);
-	*quadric = (Quadric){vec3_all(0), {c[0], c[1], c[2]}, {c[3], c[4], c[5]}, {c[6], c[7], c[8]}, c[9]};
+	*quadric = (Quadric){
+		vec3_all(0), {c[0], c[1], c[2]}, {c[3], c[4], c[5]}, {c[6], c[7], c[8]}, c[9]};
 	return quadric;
 }
 
@@ -49,8 +50,9 @@ static int quadric_cross(const Quadric *quadric, const Ray *ray, double t[2])
 	double shift = shift_to_origin(&own);
 	Vec3 o = ray_at(&own, shift), d = ray->direction;
 	Vec3 along = quadric_times(quadric, d), at = quadric_times(quadric, o);
-	int count = polynomial_quadratic(vec3_dot(d, along), 2 * vec3_dot(d, at) + vec3_dot(quadric->linear, d),
-	                                 vec3_dot(o, vec3_add(at, quadric->linear)) + quadric->constant, t);
+	int count = polynomial_quadratic(
+		vec3_dot(d, along), 2 * vec3_dot(d, at) + vec3_dot(quadric->linear, d),
+		vec3_dot(o, vec3_add(at, quadric->linear)) + quadric->constant, t);
 	for (int i = 0; i < count; i++)
 		t[i] += shift;
 	return count;
@@ -78,7 +80,9 @@ static bool quadric_inside(const void *data, Vec3 p)
 {
 	const Quadric *quadric = data;
 	p = vec3_sub(p, quadric->center);
-	return vec3_dot(p, vec3_add(quadric_times(quadric, p), quadric->linear)) + quadric->constant <= 0;
+	return vec3_dot(p, vec3_add(quadric_times(quadric, p), quadric->linear)) +
+		       quadric->constant <=
+	       0;
 }
 
 static Vec3 quadric_normal(const void *data, const Hit *hit, Vec3 p)
@@ -98,12 +102,16 @@ static const void *quadric_placed(Arena *arena, const void *data, const Transfor
 	Vec3 rows[3];
 	for (int i = 0; i < 3; i++) {
 		Vec3 axis = vec3(i == 0, i == 1, i == 2);
-		rows[i] = transform_normal(transform, quadric_times(quadric, transform_vector_inverse(transform, axis)));
+		rows[i] = transform_normal(
+			transform,
+			quadric_times(quadric, transform_vector_inverse(transform, axis)));
 	}
 	*placed = (Quadric){
-		.center = transform_point(transform, quadric->center), .square = {rows[0].x, rows[1].y, rows[2].z},
+		.center = transform_point(transform, quadric->center),
+		.square = {rows[0].x, rows[1].y, rows[2].z},
 		.mixed = {2 * rows[0].y, 2 * rows[0].z, 2 * rows[1].z},
-		.linear = transform_normal(transform, quadric->linear), .constant = quadric->constant,
+		.linear = transform_normal(transform, quadric->linear),
+		.constant = quadric->constant,
 	};
 	return placed;
 }
@@ -159,8 +167,9 @@ static Box3 quadric_cut(const void *data, bool outside, Box3 box)
 	const double *a = &square.x, *b = &linear.x;
 	for (int i = 0; i < 3; i++) {
 		int j = (i + 1) % 3, k = (i + 2) % 3;
-		double most = -sign * quadric->constant - least_square_and_linear(a[j], b[j], lo[j], hi[j]) -
-			least_square_and_linear(a[k], b[k], lo[k], hi[k]);
+		double most = -sign * quadric->constant -
+			      least_square_and_linear(a[j], b[j], lo[j], hi[j]) -
+			      least_square_and_linear(a[k], b[k], lo[k], hi[k]);
 		cut_interval(a[i], b[i], most, &lo[i], &hi[i]);
 	}
 	return (Box3){vec3_add(own.lo, quadric->center), vec3_add(own.hi, quadric->center)};
@@ -205,7 +214,8 @@ const void *poly_create(Arena *arena, int order, const double *coefficients, con
 	}
 	Poly *poly = ARENA_NEW(arena, Poly);
 	poly->order = order;
-	poly->coefficients = arena_copy(arena, coefficients, sizeof(double) * (size_t)poly_term_count(order));
+	poly->coefficients = arena_copy(arena, coefficients,
+					sizeof(double) * (size_t)poly_term_count(order));
 	return poly;
 }
 
@@ -220,7 +230,8 @@ static void multiply_add(double *sum, int degree, double origin, double step, co
 }
 
 /* The polynomial of z alone: the next degree + 1 coefficients, highest first. */
-static const double *substitute_z(const double *c, int degree, double origin, double step, double *out)
+static const double *substitute_z(const double *c, int degree, double origin, double step,
+				  double *out)
 {
 	out[0] = *c++;
 	for (int n = 1; n <= degree; n++) {
@@ -290,7 +301,8 @@ static double poly_eval(const Poly *poly, Vec3 p, Vec3 *gradient)
 			y_value = y_value * p.y + z_value;
 			yz_slope = yz_slope * p.y + z_slope;
 		}
-		slope = vec3(slope.x * p.x + value, slope.y * p.x + y_slope, slope.z * p.x + yz_slope);
+		slope = vec3(slope.x * p.x + value, slope.y * p.x + y_slope,
+			     slope.z * p.x + yz_slope);
 		value = value * p.x + y_value;
 	}
 	*gradient = slope;

@@ -109,7 +109,9 @@ static int monotone_ends(const Search *search, double *ends)
 	assert(search->degree > 2 && search->degree <= POLYNOMIAL_MAX_DEGREE);
 	for (int i = 0; i < search->degree; i++)
 		derivative[i] = (i + 1) * search->c[i + 1];
-	int count = roots_between(&(Search){derivative, search->degree - 1, search->lo, search->hi, CRITICAL_PRECISION, 0}, ends);
+	int count = roots_between(&(Search){derivative, search->degree - 1, search->lo, search->hi,
+					    CRITICAL_PRECISION, 0},
+				  ends);
 	ends[count++] = search->hi;
 	return count;
 }
@@ -130,7 +132,9 @@ static int roots_between(const Search *search, double *roots)
 		if (value == 0)
 			continue;
 		if (last_value != 0 && (value > 0) != (last_value > 0))
-			roots[count++] = bracketed_root(c, degree, &(Bracket){last, ends[i], last_value > 0, search->precision});
+			roots[count++] = bracketed_root(
+				c, degree,
+				&(Bracket){last, ends[i], last_value > 0, search->precision});
 		last = ends[i];
 		last_value = value;
 	}
@@ -199,7 +203,8 @@ static int isolate(const Search *search, double *b, int halvings, double *roots)
 	}
 	if (changes < 0 || halvings == MAX_HALVINGS)
 		return roots_between(search, roots);
-	double right[POLYNOMIAL_MAX_DEGREE + 1], middle = search->lo + 0.5 * (search->hi - search->lo);
+	double right[POLYNOMIAL_MAX_DEGREE + 1],
+		middle = search->lo + 0.5 * (search->hi - search->lo);
 	Search low = *search, high = *search;
 	low.hi = high.lo = middle;
 	split(b, search->degree, 0.5, right);

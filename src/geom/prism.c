@@ -1,6 +1,7 @@
 /*
- * Prisms. A ray and the direction of the sweep span a plane (linear sweep), a ray and the apex do (conic sweep); where
- * that plane cuts the curve is a cubic in the curve's parameter, and t follows linearly from the point found.
+ * Prisms. A ray and the direction of the sweep span a plane (linear sweep), a ray and the apex do
+ * (conic sweep); where that plane cuts the curve is a cubic in the curve's parameter, and t follows
+ * linearly from the point found.
  */
 #include "geom/prism.h"
 
@@ -28,7 +29,10 @@ static bool same_point(Vec2 a, Vec2 b)
 }
 
 /* The curves before a spline's first point and after its last: control points only. */
-static int controls_before(CurveKind kind) { return kind == CURVE_QUADRATIC || kind == CURVE_CUBIC; }
+static int controls_before(CurveKind kind)
+{
+	return kind == CURVE_QUADRATIC || kind == CURVE_CUBIC;
+}
 static int controls_after(CurveKind kind) { return kind == CURVE_CUBIC; }
 
 /* Number of points of the closed part that starts at points[0]; 0 when it does not close. */
@@ -42,7 +46,8 @@ static int part_length(CurveKind kind, const Vec2 *points, int count)
 	return 0;
 }
 
-static bool add_part(Arena *arena, Parts *parts, CurveKind kind, const Vec2 *points, int count, const char **error)
+static bool add_part(Arena *arena, Parts *parts, CurveKind kind, const Vec2 *points, int count,
+		     const char **error)
 {
 	int added;
 	CurveSegment *part = curve_from_points(arena, kind, points, count, &added, error);
@@ -58,10 +63,13 @@ static bool add_parts(Arena *arena, Parts *parts, const PrismDesc *desc, const c
 	if (desc->kind == CURVE_BEZIER)
 		return add_part(arena, parts, desc->kind, desc->points, desc->point_count, error);
 	for (int start = 0; start < desc->point_count;) {
-		int length = part_length(desc->kind, desc->points + start, desc->point_count - start);
+		int length = part_length(desc->kind, desc->points + start,
+					 desc->point_count - start);
 		if (length == 0) {
-			*error = "the curve of a prism must close: its last point repeats its first";
-			return start > 0; /* what is left over after a closed part is ignored, as POV-Ray does */
+			*error =
+				"the curve of a prism must close: its last point repeats its first";
+			return start > 0; /* what is left over after a closed part is ignored, as
+					     POV-Ray does */
 		}
 		if (!add_part(arena, parts, desc->kind, desc->points + start, length, error))
 			return false;
@@ -75,9 +83,11 @@ static const double *find_sides(Arena *arena, const Outline *outline)
 	double *side = ARENA_ARRAY(arena, double, outline->count);
 	double step = 1e-6 * fmax(outline->hi.u - outline->lo.u, outline->hi.v - outline->lo.v);
 	for (int i = 0; i < outline->count; i++) {
-		Vec2 p = curve_point(&outline->segments[i], 0.43), d = curve_tangent(&outline->segments[i], 0.43);
+		Vec2 p = curve_point(&outline->segments[i], 0.43),
+		     d = curve_tangent(&outline->segments[i], 0.43);
 		double scale = step / fmax(hypot(d.u, d.v), 1e-300);
-		side[i] = outline_inside(outline, (Vec2){p.u + scale * d.v, p.v - scale * d.u}) ? -1 : 1;
+		side[i] = outline_inside(outline, (Vec2){p.u + scale * d.v, p.v - scale * d.u}) ? -1
+												: 1;
 	}
 	return side;
 }
@@ -110,7 +120,8 @@ const void *prism_create(Arena *arena, const PrismDesc *desc, const char **error
 
 void prism_box(const Prism *p, Box3 *box)
 {
-	*box = (Box3){{p->outline.lo.u, p->low, p->outline.lo.v}, {p->outline.hi.u, p->high, p->outline.hi.v}};
+	*box = (Box3){{p->outline.lo.u, p->low, p->outline.lo.v},
+		      {p->outline.hi.u, p->high, p->outline.hi.v}};
 	if (!p->conic)
 		return;
 	Box3 b = box3_empty();
@@ -161,7 +172,8 @@ static void cross_sides(const Prism *prism, const Ray *ray, Hit hit, HitList *ou
 	for (int i = 0; i < prism->outline.count; i++) {
 		int found = curve_cross_line(&prism->outline.segments[i], c, s);
 		for (int k = 0; k < found; k++) {
-			double t = ray_parameter(prism, ray, curve_point(&prism->outline.segments[i], s[k]));
+			double t = ray_parameter(prism, ray,
+						 curve_point(&prism->outline.segments[i], s[k]));
 			double y = ray->origin.y + t * ray->direction.y;
 			if (t > ray->tmin && t < ray->tmax && y >= prism->low && y <= prism->high)
 				hit_list_push(out, (Hit){t, hit.shape, i, s[k], hit.v});
@@ -201,7 +213,8 @@ void prism_cross(const Prism *prism, const Ray *ray, Hit hit, HitList *out)
 
 bool prism_contains(const Prism *prism, Vec3 p)
 {
-	return p.y >= prism->low && p.y <= prism->high && outline_inside(&prism->outline, in_plane(prism, p));
+	return p.y >= prism->low && p.y <= prism->high &&
+	       outline_inside(&prism->outline, in_plane(prism, p));
 }
 
 Vec3 prism_outward(const Prism *prism, const Hit *hit, Vec3 p)

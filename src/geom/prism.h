@@ -1,4 +1,5 @@
-/* The prism's own functions, for shapes that are made of prisms (text). Space: curves in xz, swept along y. */
+/* The prism's own functions, for shapes that are made of prisms (text). Space: curves in xz, swept
+ * along y. */
 #ifndef GEOM_PRISM_H
 #define GEOM_PRISM_H
 

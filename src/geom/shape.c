@@ -17,7 +17,8 @@ static Ray ray_into_shape(const Shape *shape, const Ray *ray)
 	if (!shape->transform)
 		return *ray;
 	return (Ray){transform_point_inverse(shape->transform, ray->origin),
-	             transform_vector_inverse(shape->transform, ray->direction), ray->tmin, ray->tmax};
+		     transform_vector_inverse(shape->transform, ray->direction), ray->tmin,
+		     ray->tmax};
 }
 
 static Vec3 point_into_shape(const Shape *shape, Vec3 world)
@@ -130,7 +131,8 @@ static Box3 box_with_margin(Box3 box)
 {
 	if (box3_is_empty(box))
 		return box;
-	Vec3 margin = vec3(margin_of(box.lo.x, box.hi.x), margin_of(box.lo.y, box.hi.y), margin_of(box.lo.z, box.hi.z));
+	Vec3 margin = vec3(margin_of(box.lo.x, box.hi.x), margin_of(box.lo.y, box.hi.y),
+			   margin_of(box.lo.z, box.hi.z));
 	return (Box3){vec3_sub(box.lo, margin), vec3_add(box.hi, margin)};
 }
 
@@ -147,7 +149,8 @@ Box3 shape_region_cut(const Shape *shape, Box3 box)
 	if (csg_is(shape))
 		box = box3_intersect(box, csg_region_box(shape));
 	else if (shape->class->cut && !shape->transform && !box3_is_empty(box))
-		box = box3_intersect(box, box_with_margin(shape->class->cut(shape->data, shape->inverted, box)));
+		box = box3_intersect(
+			box, box_with_margin(shape->class->cut(shape->data, shape->inverted, box)));
 	else if (!shape->inverted && !shape->class->inside_unbounded)
 		box = box3_intersect(box, box_with_margin(class_box(shape)));
 	return clip_box(shape, box);
@@ -181,7 +184,8 @@ static Vec3 normal_to_world(const Hit *hit, Vec3 normal)
 Vec3 hit_normal(const Hit *hit, Vec3 world)
 {
 	const Shape *shape = hit->shape;
-	return normal_to_world(hit, shape->class->normal(shape->data, hit, point_into_shape(shape, world)));
+	return normal_to_world(
+		hit, shape->class->normal(shape->data, hit, point_into_shape(shape, world)));
 }
 
 Vec3 hit_shading_normal(const Hit *hit, Vec3 world)
@@ -189,7 +193,8 @@ Vec3 hit_shading_normal(const Hit *hit, Vec3 world)
 	const Shape *shape = hit->shape;
 	if (!shape->class->shading_normal)
 		return hit_normal(hit, world);
-	return normal_to_world(hit, shape->class->shading_normal(shape->data, hit, point_into_shape(shape, world)));
+	return normal_to_world(hit, shape->class->shading_normal(shape->data, hit,
+								 point_into_shape(shape, world)));
 }
 
 Vec2 hit_uv(const Hit *hit, Vec3 world)
@@ -206,5 +211,6 @@ int hit_textures(const Hit *hit, Vec3 world, ShapeTextures *out)
 	out->count = 0;
 	if (!shape->class->textures)
 		return 0;
-	return out->count = shape->class->textures(shape->data, hit, point_into_shape(shape, world), out);
+	return out->count = shape->class->textures(shape->data, hit, point_into_shape(shape, world),
+						   out);
 }

@@ -26,7 +26,10 @@ typedef struct Ray {
 	double tmin, tmax; /* only hits with tmin < t < tmax count */
 } Ray;
 
-static inline Vec3 ray_at(const Ray *ray, double t) { return vec3_mad(ray->origin, t, ray->direction); }
+static inline Vec3 ray_at(const Ray *ray, double t)
+{
+	return vec3_mad(ray->origin, t, ray->direction);
+}
 
 /* One crossing of a ray with a primitive's surface. part, u, v mean what the primitive's class
  * wants: a side, a triangle and its barycentrics, a spline segment... They are kept for the
@@ -59,7 +62,8 @@ static inline void hit_list_push(HitList *list, Hit hit)
 /* Sorts by increasing t. */
 void hit_list_sort(HitList *list);
 /* Pushes the crossing at t when it lies between the ray's ends. */
-static inline void hit_list_add(HitList *list, const Ray *ray, const Shape *shape, double t, int part)
+static inline void hit_list_add(HitList *list, const Ray *ray, const Shape *shape, double t,
+				int part)
 {
 	if (t > ray->tmin && t < ray->tmax)
 		hit_list_push(list, (Hit){.t = t, .shape = shape, .part = part});
@@ -120,15 +124,17 @@ struct ShapeClass {
 struct Shape {
 	const ShapeClass *class;
 	const void *data;
-	const Transform *transform; /* own space to world; NULL: the same. CSG has none: its children carry theirs */
-	bool inverted;              /* inside and outside swapped: `inverse`, and what a difference takes away */
+	const Transform *transform; /* own space to world; NULL: the same. CSG has none: its
+				       children carry theirs */
+	bool inverted; /* inside and outside swapped: `inverse`, and what a difference takes away */
 	const Shape *const *clip;   /* clipped_by: crossings outside any of these do not count */
 	int clip_count;
-	const Shape *const *bound;  /* bounded_by: a ray that misses all of one of these misses the shape */
+	const Shape *const
+		*bound; /* bounded_by: a ray that misses all of one of these misses the shape */
 	int bound_count;
-	Box3 box;                   /* world bounds (clip included); infinite sides where unbounded */
+	Box3 box; /* world bounds (clip included); infinite sides where unbounded */
 	bool part;                  /* of a CSG: a crossing of this shape alone says nothing */
-	const void *owner;          /* what the scene attached to a primitive: its Surface. Opaque here */
+	const void *owner; /* what the scene attached to a primitive: its Surface. Opaque here */
 };
 
 /* Fills in box from the class, the transform, the clips and the bounds. Call once, last. */

@@ -1,6 +1,6 @@
 /*
- * Surfaces of revolution: between two heights the squared radius is a cubic of y, f(y), that meets its neighbours with their
- * slopes. A ray gives a cubic in t.
+ * Surfaces of revolution: between two heights the squared radius is a cubic of y, f(y), that meets
+ * its neighbours with their slopes. A ray gives a cubic in t.
  */
 #include "geom/polynomial.h"
 #include "geom/sweep.h"
@@ -29,7 +29,9 @@ static Piece make_piece(const Vec2 *p, int i)
 {
 	double h = p[i + 1].v - p[i].v, a = p[i].u * p[i].u, b = p[i + 1].u * p[i + 1].u;
 	double da = slope_of_square(p, i), db = slope_of_square(p, i + 1), rise = (b - a) / h;
-	return (Piece){p[i].v, p[i + 1].v, {a, da, (3 * rise - 2 * da - db) / h, (da + db - 2 * rise) / (h * h)}};
+	return (Piece){p[i].v,
+		       p[i + 1].v,
+		       {a, da, (3 * rise - 2 * da - db) / h, (da + db - 2 * rise) / (h * h)}};
 }
 
 static double square_at(const Piece *piece, double y)
@@ -56,8 +58,10 @@ const void *sor_create(Arena *arena, const SorDesc *desc, const char **error)
 		if (!(p[i + 1].v > p[i].v))
 			*error = "the heights of a sor must rise";
 	}
-	if (!*error && (p[2].v == p[0].v || p[desc->point_count - 1].v == p[desc->point_count - 3].v))
-		*error = "the end points of a sor must differ in height from their second neighbours";
+	if (!*error &&
+	    (p[2].v == p[0].v || p[desc->point_count - 1].v == p[desc->point_count - 3].v))
+		*error =
+			"the end points of a sor must differ in height from their second neighbours";
 	if (*error)
 		return NULL;
 	Sor *sor = ARENA_NEW(arena, Sor);
@@ -83,7 +87,8 @@ static double high_of(const Sor *sor) { return sor->pieces[sor->count - 1].high;
 static bool sor_bounds(const void *data, Box3 *box)
 {
 	const Sor *sor = data;
-	*box = (Box3){{-sor->radius, low_of(sor), -sor->radius}, {sor->radius, high_of(sor), sor->radius}};
+	*box = (Box3){{-sor->radius, low_of(sor), -sor->radius},
+		      {sor->radius, high_of(sor), sor->radius}};
 	return true;
 }
 
@@ -99,7 +104,8 @@ static void narrow(double range[2], double o, double d, double lo, double hi)
 	range[1] = fmin(range[1], fmax(a, b));
 }
 
-/* Where the ray is in the box around a piece; a little wider, since roots are looked for strictly inside. */
+/* Where the ray is in the box around a piece; a little wider, since roots are looked for strictly
+ * inside. */
 static bool piece_range(const Sor *sor, const Piece *piece, const Ray *ray, double range[2])
 {
 	range[0] = ray->tmin;
@@ -144,7 +150,8 @@ static void cross_piece(const Shape *self, const Ray *ray, int number, HitList *
 static void cross_cap(const Shape *self, const Ray *ray, int cap, HitList *out)
 {
 	const Sor *sor = self->data;
-	double y = cap == CAP_LOW ? low_of(sor) : high_of(sor), r2 = cap == CAP_LOW ? sor->cap_low2 : sor->cap_high2;
+	double y = cap == CAP_LOW ? low_of(sor) : high_of(sor),
+	       r2 = cap == CAP_LOW ? sor->cap_low2 : sor->cap_high2;
 	double t = (y - ray->origin.y) / ray->direction.y;
 	Vec3 p = ray_at(ray, t);
 	if (t > ray->tmin && t < ray->tmax && p.x * p.x + p.z * p.z < r2)
@@ -191,7 +198,8 @@ static Vec2 sor_uv(const void *data, const Hit *hit, Vec3 p)
 	(void)hit;
 	const Sor *sor = data;
 	double turn = atan2(p.x, p.z) / (2 * M_PI);
-	return (Vec2){turn < 0 ? turn + 1 : turn, (p.y - low_of(sor)) / (high_of(sor) - low_of(sor))};
+	return (Vec2){turn < 0 ? turn + 1 : turn,
+		      (p.y - low_of(sor)) / (high_of(sor) - low_of(sor))};
 }
 
 const ShapeClass sor_class = {

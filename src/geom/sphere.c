@@ -16,7 +16,8 @@ const void *sphere_create(Arena *arena, Vec3 center, double radius)
 bool sphere_cross(Vec3 center, double radius, const Ray *ray, double t[2])
 {
 	Vec3 from = vec3_sub(ray->origin, center);
-	double speed2 = vec3_length2(ray->direction), middle = -vec3_dot(from, ray->direction) / speed2;
+	double speed2 = vec3_length2(ray->direction),
+	       middle = -vec3_dot(from, ray->direction) / speed2;
 	Vec3 nearest = vec3_mad(from, middle, ray->direction);
 	double left = radius * radius - vec3_length2(nearest);
 	if (!(left > 0))
@@ -34,7 +35,8 @@ static const void *sphere_placed(Arena *arena, const void *data, const Transform
 	double scale;
 	if (!transform_is_upright(transform) || !transform_is_similarity(transform, &scale))
 		return NULL;
-	return sphere_create(arena, transform_point(transform, sphere->center), sphere->radius * scale);
+	return sphere_create(arena, transform_point(transform, sphere->center),
+			     sphere->radius * scale);
 }
 
 static bool sphere_bounds(const void *data, Box3 *box)

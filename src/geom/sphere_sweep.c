@@ -32,14 +32,17 @@ typedef struct SphereSweep {
 /* Rows: what each of four neighbouring spheres gives to the coefficients of s^0 .. s^3. */
 static const double CATMULL_ROM[4][4] = {
 	{0, -0.5, 1, -0.5}, {1, 0, -2.5, 1.5}, {0, 0.5, 2, -1.5}, {0, 0, -0.5, 0.5}};
-static const double B_SPLINE[4][4] = {
-	{1 / 6.0, -0.5, 0.5, -1 / 6.0}, {4 / 6.0, 0, -1, 0.5}, {1 / 6.0, 0.5, 0.5, -0.5}, {0, 0, 0, 1 / 6.0}};
+static const double B_SPLINE[4][4] = {{1 / 6.0, -0.5, 0.5, -1 / 6.0},
+				      {4 / 6.0, 0, -1, 0.5},
+				      {1 / 6.0, 0.5, 0.5, -0.5},
+				      {0, 0, 0, 1 / 6.0}};
 
 static SweepSegment linear_segment(const SphereSweepDesc *desc, int i)
 {
-	return (SweepSegment){.degree = 1,
-	                      .center = {desc->centers[i], vec3_sub(desc->centers[i + 1], desc->centers[i])},
-	                      .radius = {desc->radii[i], desc->radii[i + 1] - desc->radii[i]}};
+	return (SweepSegment){
+		.degree = 1,
+		.center = {desc->centers[i], vec3_sub(desc->centers[i + 1], desc->centers[i])},
+		.radius = {desc->radii[i], desc->radii[i + 1] - desc->radii[i]}};
 }
 
 static SweepSegment cubic_segment(const SphereSweepDesc *desc, int i, const double basis[4][4])
@@ -47,7 +50,8 @@ static SweepSegment cubic_segment(const SphereSweepDesc *desc, int i, const doub
 	SweepSegment segment = {.degree = 3};
 	for (int k = 0; k < 4; k++) {
 		for (int power = 0; power < 4; power++) {
-			segment.center[power] = vec3_mad(segment.center[power], basis[k][power], desc->centers[i + k]);
+			segment.center[power] = vec3_mad(segment.center[power], basis[k][power],
+							 desc->centers[i + k]);
 			segment.radius[power] += basis[k][power] * desc->radii[i + k];
 		}
 	}
@@ -57,7 +61,8 @@ static SweepSegment cubic_segment(const SphereSweepDesc *desc, int i, const doub
 /* Bezier control values of a coefficient list bound the polynomial on [0, 1]. */
 static Box3 segment_box(const SweepSegment *segment)
 {
-	static const double powers[4][4] = {{1, 0, 0, 0}, {1, 1 / 3.0, 0, 0}, {1, 2 / 3.0, 1 / 3.0, 0}, {1, 1, 1, 1}};
+	static const double powers[4][4] = {
+		{1, 0, 0, 0}, {1, 1 / 3.0, 0, 0}, {1, 2 / 3.0, 1 / 3.0, 0}, {1, 1, 1, 1}};
 	Box3 box = box3_empty();
 	double radius = 0;
 	for (int k = 0; k < 4; k++) {
@@ -85,7 +90,8 @@ const void *sphere_sweep_create(Arena *arena, const SphereSweepDesc *desc, const
 	bool linear = desc->kind == SPHERE_SWEEP_LINEAR;
 	int count = desc->count - (linear ? 1 : 3);
 	if (count < 1) {
-		*error = linear ? "a linear sphere_sweep needs 2 spheres" : "this sphere_sweep needs 4 spheres";
+		*error = linear ? "a linear sphere_sweep needs 2 spheres"
+				: "this sphere_sweep needs 4 spheres";
 		return NULL;
 	}
 	SphereSweep *sweep = ARENA_NEW(arena, SphereSweep);
@@ -146,7 +152,8 @@ static void span_list_push(SpanList *list, const SweepSpan *span)
 }
 
 /* product += factor a b; degrees of a and b. */
-static void add_product(double *product, double factor, const double *a, int a_degree, const double *b, int b_degree)
+static void add_product(double *product, double factor, const double *a, int a_degree,
+			const double *b, int b_degree)
 {
 	for (int i = 0; i <= a_degree; i++)
 		for (int k = 0; k <= b_degree; k++)
@@ -165,7 +172,7 @@ typedef struct SegmentRay {
 	double shift;
 	double nearest[MAX_DEGREE + 1], left[2 * MAX_DEGREE + 1]; /* b, D */
 	double left_slope[2 * MAX_DEGREE];                        /* D' */
-	double critical[4 * MAX_DEGREE + 1];                      /* 4 D b'^2 - D'^2, degree 4 degree - 2 */
+	double critical[4 * MAX_DEGREE + 1]; /* 4 D b'^2 - D'^2, degree 4 degree - 2 */
 } SegmentRay;
 
 static void segment_ray_prepare(SegmentRay *out, const SweepSegment *segment, const Ray *ray)
@@ -215,7 +222,8 @@ static void span_take(SweepSpan *span, const SegmentRay *ray, double s)
 	}
 }
 
-static void span_take_roots(SweepSpan *span, const SegmentRay *ray, const double *c, int degree, const double limits[2])
+static void span_take_roots(SweepSpan *span, const SegmentRay *ray, const double *c, int degree,
+			    const double limits[2])
 {
 	double roots[4 * MAX_DEGREE];
 	int count = polynomial_roots(c, degree, limits[0], limits[1], roots);
@@ -223,11 +231,13 @@ static void span_take_roots(SweepSpan *span, const SegmentRay *ray, const double
 		span_take(span, ray, roots[i]);
 }
 
-/* The ray's stay in the spheres of s from lo to hi, where D is positive. Where the sweep lies square to the ray, b' is 0 and
- * the critical polynomial has double roots only, which may not be found: those of D' stand for them. */
+/* The ray's stay in the spheres of s from lo to hi, where D is positive. Where the sweep lies
+ * square to the ray, b' is 0 and the critical polynomial has double roots only, which may not be
+ * found: those of D' stand for them. */
 static void add_span(SpanList *list, const SegmentRay *ray, int segment, const double limits[2])
 {
-	SweepSpan span = {.in = {.t = INFINITY, .part = segment}, .out = {.t = -INFINITY, .part = segment}};
+	SweepSpan span = {.in = {.t = INFINITY, .part = segment},
+			  .out = {.t = -INFINITY, .part = segment}};
 	span_take(&span, ray, limits[0]);
 	span_take(&span, ray, limits[1]);
 	span_take_roots(&span, ray, ray->critical, 4 * ray->degree - 2, limits);
@@ -324,7 +334,8 @@ static bool visit_inside(void *data, int item)
 	add_product(c, 1, y, n, y, n);
 	add_product(c, 1, z, n, z, n);
 	add_product(c, -1, segment->radius, n, segment->radius, n);
-	return c[0] < 0 || polynomial_eval(c, 2 * n, 1) < 0 || polynomial_roots(c, 2 * n, 0, 1, roots) > 0;
+	return c[0] < 0 || polynomial_eval(c, 2 * n, 1) < 0 ||
+	       polynomial_roots(c, 2 * n, 0, 1, roots) > 0;
 }
 
 static bool sphere_sweep_inside(const void *data, Vec3 p)

@@ -5,7 +5,11 @@
 #include "base/arena.h"
 #include "geom/shape.h"
 
-typedef enum SphereSweepKind { SPHERE_SWEEP_LINEAR, SPHERE_SWEEP_CUBIC, SPHERE_SWEEP_B_SPLINE } SphereSweepKind;
+typedef enum SphereSweepKind {
+	SPHERE_SWEEP_LINEAR,
+	SPHERE_SWEEP_CUBIC,
+	SPHERE_SWEEP_B_SPLINE
+} SphereSweepKind;
 
 typedef struct SphereSweepDesc {
 	SphereSweepKind kind;

@@ -8,7 +8,8 @@
 #include "geom/outline.h"
 #include "geom/shape.h"
 
-/* Curves in the xz plane swept along y from low to high; conic: scaled by y, the apex at the origin. */
+/* Curves in the xz plane swept along y from low to high; conic: scaled by y, the apex at the
+ * origin. */
 typedef struct PrismDesc {
 	CurveKind kind;
 	bool conic, open;
@@ -41,8 +42,8 @@ typedef struct SorDesc {
 const void *sor_create(Arena *arena, const SorDesc *desc, const char **error);
 extern const ShapeClass sor_class;
 
-/* Letters of a TrueType (or any FreeType) font, one unit an em, standing on y = 0 from x = 0 on, thick along z from 0. offset is
- * added to each letter's advance. */
+/* Letters of a TrueType (or any FreeType) font, one unit an em, standing on y = 0 from x = 0 on,
+ * thick along z from 0. offset is added to each letter's advance. */
 typedef struct TextDesc {
 	const char *font_path;
 	const char *text; /* UTF-8 */

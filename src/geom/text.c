@@ -1,6 +1,6 @@
 /*
- * Text: one prism a letter, its outline from FreeType. A prism lies in xz and is swept along y; letters stand in xy and are swept
- * along z, so y and z are swapped on the way in and out.
+ * Text: one prism a letter, its outline from FreeType. A prism lies in xz and is swept along y;
+ * letters stand in xy and are swept along z, so y and z are swapped on the way in and out.
  */
 #include <ft2build.h>
 #include FT_FREETYPE_H
@@ -38,7 +38,8 @@ typedef struct Pen {
 
 static Vec2 pen_point(const Pen *pen, const FT_Vector *p)
 {
-	return (Vec2){pen->origin.u + pen->scale * (double)p->x, pen->origin.v + pen->scale * (double)p->y};
+	return (Vec2){pen->origin.u + pen->scale * (double)p->x,
+		      pen->origin.v + pen->scale * (double)p->y};
 }
 
 /* A Bezier segment of degree 3; lower degrees are raised by the callers. */
@@ -47,8 +48,10 @@ static void pen_curve(Pen *pen, Vec2 b, Vec2 c, Vec2 d)
 	Vec2 a = pen->at;
 	CurveSegment *g = &pen->segments[pen->count++];
 	*g = (CurveSegment){
-		.u = {a.u, 3 * (b.u - a.u), 3 * (a.u - 2 * b.u + c.u), d.u - 3 * c.u + 3 * b.u - a.u},
-		.v = {a.v, 3 * (b.v - a.v), 3 * (a.v - 2 * b.v + c.v), d.v - 3 * c.v + 3 * b.v - a.v},
+		.u = {a.u, 3 * (b.u - a.u), 3 * (a.u - 2 * b.u + c.u),
+		      d.u - 3 * c.u + 3 * b.u - a.u},
+		.v = {a.v, 3 * (b.v - a.v), 3 * (a.v - 2 * b.v + c.v),
+		      d.v - 3 * c.v + 3 * b.v - a.v},
 	};
 	curve_finish(g);
 	pen->at = d;
@@ -85,7 +88,8 @@ static int on_conic(const FT_Vector *control, const FT_Vector *to, void *data)
 	Pen *pen = data;
 	Vec2 a = pen->at, b = pen_point(pen, control), c = pen_point(pen, to);
 	CurveSegment *g = &pen->segments[pen->count++];
-	*g = (CurveSegment){.u = {a.u, 2 * (b.u - a.u), a.u - 2 * b.u + c.u}, .v = {a.v, 2 * (b.v - a.v), a.v - 2 * b.v + c.v}};
+	*g = (CurveSegment){.u = {a.u, 2 * (b.u - a.u), a.u - 2 * b.u + c.u},
+			    .v = {a.v, 2 * (b.v - a.v), a.v - 2 * b.v + c.v}};
 	curve_finish(g);
 	pen->at = c;
 	return 0;
@@ -168,13 +172,15 @@ static Text *lay_out(Arena *arena, FT_Face face, const TextDesc *desc)
 		Pen pen = {.scale = 1.0 / face->units_per_EM, .origin = origin};
 		pen.origin.u += kerning(face, last, glyph);
 		/* every point starts at most one segment, every contour needs one more to close */
-		pen.segments = ARENA_ARRAY(arena, CurveSegment, outline->n_points + outline->n_contours + 1);
+		pen.segments = ARENA_ARRAY(arena, CurveSegment,
+					   outline->n_points + outline->n_contours + 1);
 		if (FT_Outline_Decompose(outline, &pen_functions, &pen) == 0) {
 			if (pen.count > 0)
 				pen_line(&pen, pen.start);
 			add_letter(arena, text, &pen, desc->thickness);
 		}
-		origin.u = pen.origin.u + (double)face->glyph->advance.x / face->units_per_EM + desc->offset.u;
+		origin.u = pen.origin.u + (double)face->glyph->advance.x / face->units_per_EM +
+			   desc->offset.u;
 		origin.v += desc->offset.v;
 	}
 	return text;
@@ -209,8 +215,10 @@ static bool ray_meets(const Ray *ray, Box3 box)
 {
 	double near = ray->tmin, far = ray->tmax;
 	for (int axis = 0; axis < 3; axis++) {
-		double o = vec3_axis(ray->origin, axis), inverse = 1 / vec3_axis(ray->direction, axis);
-		double a = (vec3_axis(box.lo, axis) - o) * inverse, b = (vec3_axis(box.hi, axis) - o) * inverse;
+		double o = vec3_axis(ray->origin, axis),
+		       inverse = 1 / vec3_axis(ray->direction, axis);
+		double a = (vec3_axis(box.lo, axis) - o) * inverse,
+		       b = (vec3_axis(box.hi, axis) - o) * inverse;
 		near = fmax(near, fmin(a, b));
 		far = fmin(far, fmax(a, b));
 	}
@@ -225,7 +233,8 @@ static void text_intersect(const Shape *self, const Ray *ray, HitList *out)
 		return;
 	for (int i = 0; i < text->count; i++) {
 		if (ray_meets(&swapped, text->letters[i].box))
-			prism_cross(text->letters[i].prism, &swapped, (Hit){.shape = self, .v = i}, out);
+			prism_cross(text->letters[i].prism, &swapped, (Hit){.shape = self, .v = i},
+				    out);
 	}
 }
 
@@ -233,7 +242,8 @@ static bool text_inside(const void *data, Vec3 p)
 {
 	const Text *text = data;
 	for (int i = 0; i < text->count; i++) {
-		if (box3_contains(text->letters[i].box, swap(p)) && prism_contains(text->letters[i].prism, swap(p)))
+		if (box3_contains(text->letters[i].box, swap(p)) &&
+		    prism_contains(text->letters[i].prism, swap(p)))
 			return true;
 	}
 	return false;

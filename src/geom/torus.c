@@ -58,7 +58,8 @@ static void torus_quartic(const Torus *torus, Vec3 o, Vec3 d, double c[5])
 static int torus_cross(const Torus *torus, const Ray *ray, double t[4])
 {
 	double near[2], c[5];
-	if (torus->minor == 0 || !torus_near(torus, ray, near) || near[1] <= ray->tmin || near[0] >= ray->tmax)
+	if (torus->minor == 0 || !torus_near(torus, ray, near) || near[1] <= ray->tmin ||
+	    near[0] >= ray->tmax)
 		return 0;
 	double middle = 0.5 * (near[0] + near[1]), half = 0.5 * (near[1] - near[0]);
 	torus_quartic(torus, ray_at(ray, middle), ray->direction, c);

@@ -1,4 +1,5 @@
-/* BMP: 1, 4, 8, 24 and 32 bits, uncompressed (also with the usual bit fields); no run-length coding. */
+/* BMP: 1, 4, 8, 24 and 32 bits, uncompressed (also with the usual bit fields); no run-length
+ * coding. */
 #include <stdlib.h>
 
 #include "image/decode.h"
@@ -18,7 +19,8 @@ static Header read_header(ImageBytes *bytes)
 	bytes->at = 10;
 	h.data_at = image_bytes_u32le(bytes);
 	h.size = image_bytes_u32le(bytes);
-	int64_t width = (int32_t)image_bytes_u32le(bytes), height = (int32_t)image_bytes_u32le(bytes);
+	int64_t width = (int32_t)image_bytes_u32le(bytes),
+		height = (int32_t)image_bytes_u32le(bytes);
 	h.from_top = height < 0;
 	h.width = width > 0 && width <= INT32_MAX ? (int)width : 0;
 	height = height < 0 ? -height : height;
@@ -58,7 +60,8 @@ static void read_row(const uint8_t *row, const Header *h, Image *image, int y)
 	for (int x = 0; x < image->width; x++) {
 		if (image->indices) {
 			int bit = x * h->bits, shift = 8 - h->bits - bit % 8;
-			image->indices[at + x] = (uint8_t)(row[bit / 8] >> shift & ((1 << h->bits) - 1));
+			image->indices[at + x] = (uint8_t)(row[bit / 8] >> shift &
+							   ((1 << h->bits) - 1));
 			continue;
 		}
 		const uint8_t *pixel = row + x * (h->bits / 8);
@@ -76,7 +79,8 @@ static bool read_rows(ImageBytes *bytes, const Header *h, Image *image)
 	for (int i = 0; i < image->height; i++, bytes->at += stride) {
 		if (!image_bytes_has(bytes, stride))
 			return false;
-		read_row(bytes->data + bytes->at, h, image, h->from_top ? i : image->height - 1 - i);
+		read_row(bytes->data + bytes->at, h, image,
+			 h->from_top ? i : image->height - 1 - i);
 	}
 	if (image->indices)
 		image_expand_palette(image);

@@ -1,7 +1,8 @@
 /*
- * Measures of difference. SSIM follows Wang, Bovik, Sheikh and Simoncelli, "Image quality assessment: from error
- * visibility to structural similarity" (2004): luma, a Gaussian window of 11 x 11 pixels and sigma 1.5, K1 0.01,
- * K2 0.03, dynamic range 1; where the window leaves the picture its weights are renormalised.
+ * Measures of difference. SSIM follows Wang, Bovik, Sheikh and Simoncelli, "Image quality
+ * assessment: from error visibility to structural similarity" (2004): luma, a Gaussian window of 11
+ * x 11 pixels and sigma 1.5, K1 0.01, K2 0.03, dynamic range 1; where the window leaves the picture
+ * its weights are renormalised.
  */
 #include "image/compare.h"
 
@@ -27,13 +28,16 @@ static double value_at(const Image *image, size_t pixel, int channel)
 
 static double luma_at(const Image *image, size_t pixel)
 {
-	return 0.299 * value_at(image, pixel, 0) + 0.587 * value_at(image, pixel, 1) + 0.114 * value_at(image, pixel, 2);
+	return 0.299 * value_at(image, pixel, 0) + 0.587 * value_at(image, pixel, 1) +
+	       0.114 * value_at(image, pixel, 2);
 }
 
 static void compare_values(const Image *image, const Image *reference, ImageDifference *out)
 {
 	size_t pixels = (size_t)image->width * image->height;
-	int channels = color_channels(image) > color_channels(reference) ? 3 : color_channels(reference);
+	int channels = color_channels(image) > color_channels(reference)
+			       ? 3
+			       : color_channels(reference);
 	double count = (double)pixels * channels;
 	for (size_t i = 0; i < pixels; i++)
 		for (int c = 0; c < channels; c++) {
@@ -102,7 +106,8 @@ static double structural_similarity(const Image *image, const Image *reference)
 	double sum = 0;
 	for (size_t i = 0; i < count; i++) {
 		double a = planes[PLANE_A * count + i], b = planes[PLANE_B * count + i];
-		double va = planes[PLANE_AA * count + i] - a * a, vb = planes[PLANE_BB * count + i] - b * b;
+		double va = planes[PLANE_AA * count + i] - a * a,
+		       vb = planes[PLANE_BB * count + i] - b * b;
 		double vab = planes[PLANE_AB * count + i] - a * b;
 		sum += (2 * a * b + c1) * (2 * vab + c2) / ((a * a + b * b + c1) * (va + vb + c2));
 	}
@@ -114,8 +119,8 @@ bool image_compare(const Image *image, const Image *reference, ImageDifference *
 {
 	*out = (ImageDifference){0};
 	if (image->width != reference->width || image->height != reference->height) {
-		diag_fail(diag, "the images differ in size: %d x %d and %d x %d", image->width, image->height,
-		          reference->width, reference->height);
+		diag_fail(diag, "the images differ in size: %d x %d and %d x %d", image->width,
+			  image->height, reference->width, reference->height);
 		return false;
 	}
 	compare_values(image, reference, out);
@@ -134,7 +139,8 @@ static Image *new_image(int width, int height, const Image *like)
 	image->palette_count = 0;
 	image->width = width;
 	image->height = height;
-	image->pixels = memory_alloc((size_t)width * height * image->channels * sizeof *image->pixels + 1);
+	image->pixels = memory_alloc(
+		(size_t)width * height * image->channels * sizeof *image->pixels + 1);
 	return image;
 }
 
@@ -146,9 +152,12 @@ Image *image_halve(const Image *image)
 	for (int y = 0; y < half->height; y++)
 		for (int x = 0; x < half->width; x++)
 			for (int c = 0; c < channels; c++) {
-				const float *from = image->pixels + 2 * y * row + 2 * (size_t)x * channels + c;
+				const float *from = image->pixels + 2 * y * row +
+						    2 * (size_t)x * channels + c;
 				half->pixels[((size_t)y * half->width + x) * channels + c] =
-					(from[0] + from[channels] + from[row] + from[row + channels]) / 4;
+					(from[0] + from[channels] + from[row] +
+					 from[row + channels]) /
+					4;
 			}
 	return half;
 }
@@ -159,7 +168,8 @@ Image *image_crop(const Image *image, int x, int y, int width, int height)
 	size_t line = (size_t)width * image->channels;
 	for (int i = 0; i < height; i++)
 		memcpy(part->pixels + line * i,
-		       image->pixels + ((size_t)(y + i) * image->width + x) * image->channels, line * sizeof(float));
+		       image->pixels + ((size_t)(y + i) * image->width + x) * image->channels,
+		       line * sizeof(float));
 	return part;
 }
 
@@ -181,7 +191,8 @@ Image *image_difference_map(const Image *image, const Image *reference, double s
 	for (size_t i = 0; i < (size_t)map->width * map->height; i++) {
 		double largest = 0;
 		for (int c = 0; c < 3; c++)
-			largest = fmax(largest, fabs(value_at(image, i, c) - value_at(reference, i, c)));
+			largest = fmax(largest,
+				       fabs(value_at(image, i, c) - value_at(reference, i, c)));
 		false_color(largest / scale, map->pixels + 4 * i);
 	}
 	return map;

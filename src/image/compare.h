@@ -1,5 +1,6 @@
 /*
- * How far two images differ. Values are compared as given: linear light for OpenEXR, stored values 0..1 for the others.
+ * How far two images differ. Values are compared as given: linear light for OpenEXR, stored values
+ * 0..1 for the others.
  */
 #ifndef IMAGE_COMPARE_H
 #define IMAGE_COMPARE_H
@@ -15,11 +16,13 @@ typedef struct ImageDifference {
 	double dssim; /* (1 - ssim) / 2 */
 } ImageDifference;
 
-/* Over the colour channels; both of the same size, else false and reported. image is judged against reference. */
+/* Over the colour channels; both of the same size, else false and reported. image is judged against
+ * reference. */
 bool image_compare(const Image *image, const Image *reference, ImageDifference *out, Diag *diag);
 
-/* New images: half the size (means of 2x2; an odd last row or column is dropped), a part, the false-colour map of the
- * largest difference of a pixel's channels (black, blue, red, yellow, white for 0 to scale). */
+/* New images: half the size (means of 2x2; an odd last row or column is dropped), a part, the
+ * false-colour map of the largest difference of a pixel's channels (black, blue, red, yellow, white
+ * for 0 to scale). */
 Image *image_halve(const Image *image);
 Image *image_crop(const Image *image, int x, int y, int width, int height);
 Image *image_difference_map(const Image *image, const Image *reference, double scale);

@@ -1,6 +1,7 @@
 /*
- * Private to this room: one decoder a format, each from the whole file in memory. A decoder returns NULL and reports
- * for a broken file; sizes come from the file and are never trusted before image_create has seen them.
+ * Private to this room: one decoder a format, each from the whole file in memory. A decoder returns
+ * NULL and reports for a broken file; sizes come from the file and are never trusted before
+ * image_create has seen them.
  */
 #ifndef IMAGE_DECODE_H
 #define IMAGE_DECODE_H
@@ -13,14 +14,16 @@ typedef struct ImageBytes {
 	size_t size, at;  /* at: the next byte */
 } ImageBytes;
 
-/* Black, 8 bits, gamma 0. NULL, reported, for sizes of nought or of more than 2^28 pixels, or without memory. */
+/* Black, 8 bits, gamma 0. NULL, reported, for sizes of nought or of more than 2^28 pixels, or
+ * without memory. */
 Image *image_create(int width, int height, int channels, const char *path, Diag *diag);
 
 /* Channels of a picture without and with alpha. */
 #define IMAGE_RGB 3
 #define IMAGE_RGBA 4
 
-/* Makes it a palette image of count colours (all opaque black) with zero indices. False without memory. */
+/* Makes it a palette image of count colours (all opaque black) with zero indices. False without
+ * memory. */
 bool image_set_palette(Image *image, int count);
 /* Sets pixels from indices and palette; indices beyond the palette become its last colour. */
 void image_expand_palette(Image *image);

@@ -1,5 +1,6 @@
 /*
- * Private to this room: one encoder a format, fed with values that are already transferred, rounded and dithered.
+ * Private to this room: one encoder a format, fed with values that are already transferred, rounded
+ * and dithered.
  */
 #ifndef IMAGE_ENCODE_H
 #define IMAGE_ENCODE_H
@@ -15,12 +16,14 @@ typedef struct ImageValues {
 	uint16_t *values;
 } ImageValues;
 
-/* Fewer bits than the file's samples are spread over their whole range. Release values with free. */
+/* Fewer bits than the file's samples are spread over their whole range. Release values with free.
+ */
 ImageValues image_quantize(const Image *image, const ImageEncoding *encoding, int channels);
 
 typedef bool ImageEncoder(FILE *out, const ImageValues *values, const ImageEncoding *encoding);
 
 /* False when the library or the disk refuses. */
-ImageEncoder image_encode_png, image_encode_tga, image_encode_pnm, image_encode_jpeg, image_encode_bmp;
+ImageEncoder image_encode_png, image_encode_tga, image_encode_pnm, image_encode_jpeg,
+	image_encode_bmp;
 
 #endif

@@ -1,4 +1,5 @@
-/* OpenEXR through the C library OpenEXRCore; our own streams, so that "-" and renaming work as for the other formats. */
+/* OpenEXR through the C library OpenEXRCore; our own streams, so that "-" and renaming work as for
+ * the other formats. */
 #include "image/exr.h"
 
 #include <limits.h>
@@ -23,8 +24,8 @@ static void keep_silent(exr_const_context_t context, exr_result_t code, const ch
 
 /* --- writing --- */
 
-static int64_t stream_write(exr_const_context_t context, void *user, const void *data, uint64_t size,
-                            uint64_t offset, exr_stream_error_func_ptr_t error)
+static int64_t stream_write(exr_const_context_t context, void *user, const void *data,
+			    uint64_t size, uint64_t offset, exr_stream_error_func_ptr_t error)
 {
 	OutputFile *file = user;
 	ssize_t done = pwrite(fileno(file->stream), data, size, (off_t)offset);
@@ -38,14 +39,15 @@ static exr_result_t write_header(exr_context_t context, const ExrImage *image)
 	int part = 0;
 	exr_result_t status = exr_add_part(context, "image", EXR_STORAGE_SCANLINE, &part);
 	if (status == EXR_ERR_SUCCESS)
-		status = exr_initialize_required_attr_simple(context, part, image->width, image->height,
-		                                             EXR_COMPRESSION_ZIP);
+		status = exr_initialize_required_attr_simple(context, part, image->width,
+							     image->height, EXR_COMPRESSION_ZIP);
 	for (int i = 0; i < image->channel_count && status == EXR_ERR_SUCCESS; i++)
 		status = exr_add_channel(context, part, image->channels[i].name,
 		                         image->channels[i].half ? EXR_PIXEL_HALF : EXR_PIXEL_FLOAT,
 		                         EXR_PERCEPTUALLY_LOGARITHMIC, 1, 1);
 	for (int i = 0; i < image->attribute_count && status == EXR_ERR_SUCCESS; i++)
-		status = exr_attr_set_string(context, part, image->attributes[i].name, image->attributes[i].text);
+		status = exr_attr_set_string(context, part, image->attributes[i].name,
+					     image->attributes[i].text);
 	return status == EXR_ERR_SUCCESS ? exr_write_header(context) : status;
 }
 
@@ -58,12 +60,13 @@ static void point_encoder(exr_encode_pipeline_t *encoder, const ExrImage *image,
 		to->user_data_type = EXR_PIXEL_FLOAT;
 		to->user_pixel_stride = from->stride * (int)sizeof(float);
 		to->user_line_stride = to->user_pixel_stride * image->width;
-		to->encode_from_ptr = (const uint8_t *)(from->data + (size_t)y * image->width * from->stride);
+		to->encode_from_ptr = (const uint8_t *)(from->data +
+							(size_t)y * image->width * from->stride);
 	}
 }
 
-static exr_result_t write_chunk(exr_context_t context, const ExrImage *image, exr_encode_pipeline_t *encoder,
-                                int y)
+static exr_result_t write_chunk(exr_context_t context, const ExrImage *image,
+				exr_encode_pipeline_t *encoder, int y)
 {
 	exr_chunk_info_t chunk;
 	exr_result_t status = exr_write_scanline_chunk_info(context, 0, y, &chunk);
@@ -121,8 +124,8 @@ static int64_t bytes_size(exr_const_context_t context, void *user)
 	return (int64_t)((ImageBytes *)user)->size;
 }
 
-static int64_t bytes_read(exr_const_context_t context, void *user, void *out, uint64_t size, uint64_t offset,
-                          exr_stream_error_func_ptr_t error)
+static int64_t bytes_read(exr_const_context_t context, void *user, void *out, uint64_t size,
+			  uint64_t offset, exr_stream_error_func_ptr_t error)
 {
 	const ImageBytes *bytes = user;
 	(void)context;
@@ -169,10 +172,11 @@ static char *copy_text(const char *text)
 static ExrImage *image_for(exr_const_context_t context, const exr_attr_box2i_t *window)
 {
 	const exr_attr_chlist_t *list = NULL;
-	int64_t width = (int64_t)window->max.x - window->min.x + 1, height = (int64_t)window->max.y - window->min.y + 1;
+	int64_t width = (int64_t)window->max.x - window->min.x + 1,
+		height = (int64_t)window->max.y - window->min.y + 1;
 	if (exr_get_channels(context, 0, &list) != EXR_ERR_SUCCESS || list->num_channels < 1 ||
-	    list->num_channels > MAXIMUM_CHANNELS || width < 1 || height < 1 || width > INT_MAX || height > INT_MAX ||
-	    width * height > MAXIMUM_VALUES / list->num_channels)
+	    list->num_channels > MAXIMUM_CHANNELS || width < 1 || height < 1 || width > INT_MAX ||
+	    height > INT_MAX || width * height > MAXIMUM_VALUES / list->num_channels)
 		return NULL;
 	ExrImage *image = calloc(1, sizeof *image);
 	image->width = (int)width;
@@ -184,7 +188,8 @@ static ExrImage *image_for(exr_const_context_t context, const exr_attr_box2i_t *
 		channel->data = calloc((size_t)(width * height), sizeof(float));
 		channel->stride = 1;
 		channel->half = list->entries[i].pixel_type == EXR_PIXEL_HALF;
-		if (list->entries[i].x_sampling != 1 || list->entries[i].y_sampling != 1 || !channel->data) {
+		if (list->entries[i].x_sampling != 1 || list->entries[i].y_sampling != 1 ||
+		    !channel->data) {
 			exr_destroy(image);
 			return NULL;
 		}
@@ -201,8 +206,8 @@ static void read_attributes(exr_const_context_t context, ExrImage *image)
 		const exr_attribute_t *attribute = NULL;
 		exr_get_attribute_by_index(context, 0, EXR_ATTR_LIST_FILE_ORDER, i, &attribute);
 		if (attribute && attribute->type == EXR_ATTR_STRING && attribute->string->str)
-			attributes[image->attribute_count++] =
-				(ExrAttribute){copy_text(attribute->name), copy_text(attribute->string->str)};
+			attributes[image->attribute_count++] = (ExrAttribute){
+				copy_text(attribute->name), copy_text(attribute->string->str)};
 	}
 	image->attributes = attributes;
 }
@@ -217,8 +222,9 @@ typedef struct Chunks {
 /* Decodes one chunk whose first pixel is (x, y) of the picture. */
 static exr_result_t read_chunk(Chunks *c, const exr_chunk_info_t *chunk, int x, int y)
 {
-	exr_result_t status = c->started ? exr_decoding_update(c->context, 0, chunk, &c->decoder)
-	                                 : exr_decoding_initialize(c->context, 0, chunk, &c->decoder);
+	exr_result_t status = c->started
+				      ? exr_decoding_update(c->context, 0, chunk, &c->decoder)
+				      : exr_decoding_initialize(c->context, 0, chunk, &c->decoder);
 	if (status != EXR_ERR_SUCCESS)
 		return status;
 	for (int i = 0; i < c->decoder.channel_count; i++) {
@@ -227,7 +233,8 @@ static exr_result_t read_chunk(Chunks *c, const exr_chunk_info_t *chunk, int x, 
 		to->user_data_type = EXR_PIXEL_FLOAT;
 		to->user_pixel_stride = sizeof(float);
 		to->user_line_stride = c->image->width * (int)sizeof(float);
-		to->decode_to_ptr = (uint8_t *)(c->image->channels[i].data + (size_t)y * c->image->width + x);
+		to->decode_to_ptr = (uint8_t *)(c->image->channels[i].data +
+						(size_t)y * c->image->width + x);
 	}
 	if (!c->started)
 		status = exr_decoding_choose_default_routines(c->context, 0, &c->decoder);
@@ -253,11 +260,15 @@ static exr_result_t read_tiles(Chunks *c)
 	uint32_t width = 1, height = 1;
 	exr_tile_level_mode_t levels;
 	exr_tile_round_mode_t rounding;
-	exr_result_t status = exr_get_tile_descriptor(c->context, 0, &width, &height, &levels, &rounding);
-	for (uint32_t y = 0; y < (uint32_t)c->image->height && status == EXR_ERR_SUCCESS; y += height)
-		for (uint32_t x = 0; x < (uint32_t)c->image->width && status == EXR_ERR_SUCCESS; x += width) {
+	exr_result_t status = exr_get_tile_descriptor(c->context, 0, &width, &height, &levels,
+						      &rounding);
+	for (uint32_t y = 0; y < (uint32_t)c->image->height && status == EXR_ERR_SUCCESS;
+	     y += height)
+		for (uint32_t x = 0; x < (uint32_t)c->image->width && status == EXR_ERR_SUCCESS;
+		     x += width) {
 			exr_chunk_info_t chunk;
-			status = exr_read_tile_chunk_info(c->context, 0, (int)(x / width), (int)(y / height), 0, 0, &chunk);
+			status = exr_read_tile_chunk_info(c->context, 0, (int)(x / width),
+							  (int)(y / height), 0, 0, &chunk);
 			if (status == EXR_ERR_SUCCESS)
 				status = read_chunk(c, &chunk, (int)x, (int)y);
 		}
@@ -273,11 +284,13 @@ static ExrImage *read_part(exr_const_context_t context)
 	    exr_get_storage(context, 0, &storage) != EXR_ERR_SUCCESS)
 		return NULL;
 	bool tiled = storage == EXR_STORAGE_TILED;
-	ExrImage *image = tiled || storage == EXR_STORAGE_SCANLINE ? image_for(context, &window) : NULL;
+	ExrImage *image = tiled || storage == EXR_STORAGE_SCANLINE ? image_for(context, &window)
+								   : NULL;
 	if (!image)
 		return NULL;
 	read_attributes(context, image);
-	Chunks chunks = {.context = context, .image = image, .decoder = EXR_DECODE_PIPELINE_INITIALIZER};
+	Chunks chunks = {
+		.context = context, .image = image, .decoder = EXR_DECODE_PIPELINE_INITIALIZER};
 	exr_result_t status = tiled ? read_tiles(&chunks) : read_scanlines(&chunks, &window);
 	exr_decoding_destroy(context, &chunks.decoder);
 	if (status == EXR_ERR_SUCCESS)
@@ -299,7 +312,8 @@ static ExrImage *read_bytes(ImageBytes *bytes, Diag *diag)
 		image = read_part(context);
 	exr_finish(&context);
 	if (!image)
-		diag_fail(diag, "%s: broken OpenEXR file, or of a kind that cannot be read", bytes->path);
+		diag_fail(diag, "%s: broken OpenEXR file, or of a kind that cannot be read",
+			  bytes->path);
 	return image;
 }
 
@@ -338,7 +352,8 @@ static void divide_by_alpha(Image *image)
 
 Image *image_decode_exr(ImageBytes *bytes, Diag *diag)
 {
-	static const char *const color_names[] = {"R", "G", "B", "A"}, *const gray_names[] = {"Y", "A"};
+	static const char *const color_names[] = {"R", "G", "B", "A"}, *const gray_names[] = {"Y",
+											      "A"};
 	ExrImage *exr = read_bytes(bytes, diag);
 	if (!exr)
 		return NULL;
@@ -349,7 +364,8 @@ Image *image_decode_exr(ImageBytes *bytes, Diag *diag)
 	if (!color && !exr_find(exr, "Y"))
 		diag_fail(diag, "%s: neither R, G and B nor Y among the channels", bytes->path);
 	else
-		image = image_create(exr->width, exr->height, (color ? 3 : 1) + alpha, bytes->path, diag);
+		image = image_create(exr->width, exr->height, (color ? 3 : 1) + alpha, bytes->path,
+				     diag);
 	for (int c = 0; image && c < image->channels; c++)
 		copy_channel(image, c, exr_find(exr, names[c]));
 	if (image) {

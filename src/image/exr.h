@@ -1,6 +1,7 @@
 /*
- * OpenEXR through OpenEXRCore: any set of named float channels in one part, "caustic.R" being channel R of the layer
- * caustic, with text attributes in the header. Values are linear and go through unchanged (half where asked).
+ * OpenEXR through OpenEXRCore: any set of named float channels in one part, "caustic.R" being
+ * channel R of the layer caustic, with text attributes in the header. Values are linear and go
+ * through unchanged (half where asked).
  */
 #ifndef IMAGE_EXR_H
 #define IMAGE_EXR_H
@@ -25,11 +26,13 @@ typedef struct ExrImage {
 	int attribute_count; const ExrAttribute *attributes;
 } ExrImage;
 
-/* ZIP-compressed scan lines, written beside and renamed; "-" is standard output. False on failure, reported. */
+/* ZIP-compressed scan lines, written beside and renamed; "-" is standard output. False on failure,
+ * reported. */
 bool exr_write(const char *path, const ExrImage *image, Diag *diag);
 
-/* Every channel of the first part (tiled or scan lines, half, float or unsigned), stride 1; no attributes but strings.
- * NULL on failure, reported. Release with exr_destroy, which frees the data as well. */
+/* Every channel of the first part (tiled or scan lines, half, float or unsigned), stride 1; no
+ * attributes but strings. NULL on failure, reported. Release with exr_destroy, which frees the data
+ * as well. */
 ExrImage *exr_read(const char *path, Diag *diag);
 void exr_destroy(ExrImage *image);
 

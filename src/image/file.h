@@ -1,5 +1,6 @@
 /*
- * Output files that are whole or not there: written under another name beside the target and renamed when complete.
+ * Output files that are whole or not there: written under another name beside the target and
+ * renamed when complete.
  * "-" is standard output, which gets everything at the end.
  */
 #ifndef IMAGE_FILE_H

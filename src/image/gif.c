@@ -1,4 +1,5 @@
-/* GIF through giflib: the first picture of the file, with its palette, indices and transparent colour. */
+/* GIF through giflib: the first picture of the file, with its palette, indices and transparent
+ * colour. */
 #include <gif_lib.h>
 #include <string.h>
 
@@ -16,7 +17,8 @@ static int read_bytes(GifFileType *gif, GifByteType *out, int count)
 static Image *convert(const GifFileType *gif, const char *path, Diag *diag)
 {
 	const SavedImage *saved = &gif->SavedImages[0];
-	const ColorMapObject *map = saved->ImageDesc.ColorMap ? saved->ImageDesc.ColorMap : gif->SColorMap;
+	const ColorMapObject *map = saved->ImageDesc.ColorMap ? saved->ImageDesc.ColorMap
+							      : gif->SColorMap;
 	GraphicsControlBlock control = {.TransparentColor = NO_TRANSPARENT_COLOR};
 	DGifSavedExtensionToGCB((GifFileType *)gif, 0, &control);
 	bool alpha = control.TransparentColor != NO_TRANSPARENT_COLOR;
@@ -24,7 +26,8 @@ static Image *convert(const GifFileType *gif, const char *path, Diag *diag)
 		diag_fail(diag, "%s: broken GIF: no palette", path);
 		return NULL;
 	}
-	Image *image = image_create(saved->ImageDesc.Width, saved->ImageDesc.Height, IMAGE_RGB + alpha, path, diag);
+	Image *image = image_create(saved->ImageDesc.Width, saved->ImageDesc.Height,
+				    IMAGE_RGB + alpha, path, diag);
 	if (!image || !image_set_palette(image, map->ColorCount)) {
 		image_destroy(image);
 		return NULL;
@@ -45,7 +48,8 @@ Image *image_decode_gif(ImageBytes *bytes, Diag *diag)
 	int error = 0;
 	GifFileType *gif = DGifOpen(bytes, read_bytes, &error);
 	Image *image = NULL;
-	if (gif && DGifSlurp(gif) == GIF_OK && gif->ImageCount > 0 && gif->SavedImages[0].RasterBits)
+	if (gif && DGifSlurp(gif) == GIF_OK && gif->ImageCount > 0 &&
+	    gif->SavedImages[0].RasterBits)
 		image = convert(gif, bytes->path, diag);
 	else
 		diag_fail(diag, "%s: broken GIF", bytes->path);

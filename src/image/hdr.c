@@ -28,7 +28,8 @@ static bool read_size(ImageBytes *bytes, int *width, int *height)
 	char line[200];
 	while (read_line(bytes, line, sizeof line) && line[0])
 		; /* the header ends with an empty line */
-	return read_line(bytes, line, sizeof line) && sscanf(line, "-Y %d +X %d", height, width) == 2;
+	return read_line(bytes, line, sizeof line) &&
+	       sscanf(line, "-Y %d +X %d", height, width) == 2;
 }
 
 /* One component of a run-length coded row. */
@@ -38,7 +39,8 @@ static bool read_component(ImageBytes *bytes, uint8_t *out, int width)
 		int count = image_bytes_u8(bytes);
 		bool run = count > 128;
 		count = run ? count - 128 : count;
-		if (count == 0 || count > width - x || !image_bytes_has(bytes, run ? 1 : (size_t)count))
+		if (count == 0 || count > width - x ||
+		    !image_bytes_has(bytes, run ? 1 : (size_t)count))
 			return false;
 		if (run)
 			memset(out + x, image_bytes_u8(bytes), (size_t)count);
@@ -52,8 +54,8 @@ static bool read_component(ImageBytes *bytes, uint8_t *out, int width)
 static bool row_is_packed(const ImageBytes *bytes, int width)
 {
 	const uint8_t *at = bytes->data + bytes->at;
-	return width >= 8 && width < 32768 && image_bytes_has(bytes, 4) && at[0] == 2 && at[1] == 2 &&
-	       (at[2] << 8 | at[3]) == width;
+	return width >= 8 && width < 32768 && image_bytes_has(bytes, 4) && at[0] == 2 &&
+	       at[1] == 2 && (at[2] << 8 | at[3]) == width;
 }
 
 static bool read_row(ImageBytes *bytes, uint8_t *planes, int width)

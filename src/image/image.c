@@ -38,7 +38,8 @@ static const Format formats[] = {
 Image *image_create(int width, int height, int channels, const char *path, Diag *diag)
 {
 	if (width <= 0 || height <= 0 || (int64_t)width * height > MAXIMUM_PIXELS) {
-		diag_fail(diag, "%s: an image of %d x %d pixels cannot be read", path, width, height);
+		diag_fail(diag, "%s: an image of %d x %d pixels cannot be read", path, width,
+			  height);
 		return NULL;
 	}
 	Image *image = calloc(1, sizeof *image);
@@ -58,14 +59,15 @@ Image *image_create(int width, int height, int channels, const char *path, Diag 
 
 void image_region_write(const ImageRegion *region, char text[IMAGE_REGION_TEXT])
 {
-	snprintf(text, IMAGE_REGION_TEXT, "%d %d %d %d", region->x0, region->y0, region->x1, region->y1);
+	snprintf(text, IMAGE_REGION_TEXT, "%d %d %d %d", region->x0, region->y0, region->x1,
+		 region->y1);
 }
 
 ImageRegion image_region_read(const char *text)
 {
 	ImageRegion r = {0};
-	if (sscanf(text, "%9d %9d %9d %9d", &r.x0, &r.y0, &r.x1, &r.y1) != 4 || r.x0 < 0 || r.y0 < 0 || r.x1 < r.x0 ||
-	    r.y1 < r.y0)
+	if (sscanf(text, "%9d %9d %9d %9d", &r.x0, &r.y0, &r.x1, &r.y1) != 4 || r.x0 < 0 ||
+	    r.y0 < 0 || r.x1 < r.x0 || r.y1 < r.y0)
 		return (ImageRegion){0};
 	return r;
 }
@@ -101,7 +103,8 @@ void image_expand_palette(Image *image)
 {
 	size_t count = (size_t)image->width * image->height;
 	for (size_t i = 0; i < count; i++) {
-		int index = image->indices[i] < image->palette_count ? image->indices[i] : image->palette_count - 1;
+		int index = image->indices[i] < image->palette_count ? image->indices[i]
+								     : image->palette_count - 1;
 		memcpy(image->pixels + i * image->channels, image->palette + 4 * index,
 		       sizeof *image->pixels * image->channels);
 	}
@@ -167,7 +170,8 @@ static Image *decode(ImageBytes *bytes, Diag *diag)
 {
 	for (size_t i = 0; i < sizeof formats / sizeof *formats; i++) {
 		const Format *f = &formats[i];
-		if (bytes->size >= (size_t)f->length && memcmp(bytes->data, f->magic, (size_t)f->length) == 0)
+		if (bytes->size >= (size_t)f->length &&
+		    memcmp(bytes->data, f->magic, (size_t)f->length) == 0)
 			return f->decode(bytes, diag);
 	}
 	return image_decode_tga(bytes, diag); /* the one format without a mark */

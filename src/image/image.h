@@ -1,6 +1,7 @@
 /*
- * Images in memory: rows from the top, linear light, single precision, channels interleaved. Reading takes PNG, JPEG, TIFF,
- * GIF, TGA, PPM/PGM, BMP and OpenEXR; writing PNG, TGA, PPM and OpenEXR. Files are written beside and renamed.
+ * Images in memory: rows from the top, linear light, single precision, channels interleaved.
+ * Reading takes PNG, JPEG, TIFF, GIF, TGA, PPM/PGM, BMP and OpenEXR; writing PNG, TGA, PPM and
+ * OpenEXR. Files are written beside and renamed.
  */
 #ifndef IMAGE_IMAGE_H
 #define IMAGE_IMAGE_H
@@ -10,20 +11,24 @@
 
 #include "base/diag.h"
 
-/* The pixels of a picture that were rendered: x0 <= x < x1 and so in y. All zero: the whole picture. */
+/* The pixels of a picture that were rendered: x0 <= x < x1 and so in y. All zero: the whole
+ * picture. */
 typedef struct ImageRegion {
 	int x0, y0, x1, y1;
 } ImageRegion;
 
 typedef struct Image {
-	int width, height, channels; /* 1 grey, 2 grey+alpha, 3 RGB, 4 RGB+alpha (not premultiplied) */
-	float *pixels;               /* width*height*channels, 0..1 for integer formats, as decoded (see encoding) */
+	int width, height,
+		channels; /* 1 grey, 2 grey+alpha, 3 RGB, 4 RGB+alpha (not premultiplied) */
+	float *pixels; /* width*height*channels, 0..1 for integer formats, as decoded (see encoding)
+			*/
 	uint8_t *indices;            /* palette indices of a palette image, or NULL */
 	int palette_count;
 	float *palette;              /* palette_count x 4, or NULL */
 	int bits;                    /* per channel in the file: 1..16, 32 for floats */
-	bool linear;                 /* the format says its values are linear light (EXR); else sRGB or the file's gamma below */
-	double gamma;                /* the file's own encoding gamma, 0 when it says nothing; negative: sRGB */
+	bool linear; /* the format says its values are linear light (EXR); else sRGB or the file's
+			gamma below */
+	double gamma; /* the file's own encoding gamma, 0 when it says nothing; negative: sRGB */
 	ImageRegion region;          /* as a PNG of ours names it; see image_region_text */
 } Image;
 
@@ -31,13 +36,15 @@ typedef struct Image {
 Image *image_read(const char *path, Diag *diag);
 void image_destroy(Image *image);
 
-/* A region as files name it, "x0 y0 x1 y1": the text PNG keeps under the key Region, OpenEXR under the attribute region. */
+/* A region as files name it, "x0 y0 x1 y1": the text PNG keeps under the key Region, OpenEXR under
+ * the attribute region. */
 enum { IMAGE_REGION_TEXT = 48 };
 void image_region_write(const ImageRegion *region, char text[IMAGE_REGION_TEXT]);
 ImageRegion image_region_read(const char *text); /* all zero for anything else */
 bool image_region_is_part(const ImageRegion *region); /* not all zero */
 
-/* Decodes the file's values to linear light in place: by the file's gamma, else by fallback (0: sRGB transfer, 1: none). */
+/* Decodes the file's values to linear light in place: by the file's gamma, else by fallback (0:
+ * sRGB transfer, 1: none). */
 void image_linearize(Image *image, double fallback);
 
 #endif

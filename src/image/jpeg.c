@@ -61,7 +61,8 @@ static void read_image(Reading *r, ImageBytes *bytes, Diag *diag)
 	jpeg_read_header(info, TRUE);
 	jpeg_calc_output_dimensions(info);
 	bool gray = info->out_color_components == 1;
-	r->image = image_create((int)info->image_width, (int)info->image_height, gray ? 1 : 3, bytes->path, diag);
+	r->image = image_create((int)info->image_width, (int)info->image_height, gray ? 1 : 3,
+				bytes->path, diag);
 	if (!r->image)
 		return;
 	jpeg_start_decompress(info);
@@ -91,7 +92,8 @@ Image *image_decode_jpeg(ImageBytes *bytes, Diag *diag)
 	return r.image;
 }
 
-static void write_image(struct jpeg_compress_struct *info, const ImageValues *v, int quality, uint8_t *row)
+static void write_image(struct jpeg_compress_struct *info, const ImageValues *v, int quality,
+			uint8_t *row)
 {
 	size_t count = (size_t)v->width * v->channels;
 	info->image_width = (JDIMENSION)v->width;

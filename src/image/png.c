@@ -1,4 +1,5 @@
-/* PNG through libpng. Errors inside libpng come back by longjmp; everything that must be released lives in a struct. */
+/* PNG through libpng. Errors inside libpng come back by longjmp; everything that must be released
+ * lives in a struct. */
 #include <png.h>
 #include <setjmp.h>
 #include <stdlib.h>
@@ -101,8 +102,9 @@ static void convert_rows(Reading *r)
 		return;
 	}
 	for (size_t i = 0; i < count; i++)
-		image->pixels[i] = image->bits == 16 ? (r->rows[2 * i] << 8 | r->rows[2 * i + 1]) / 65535.0f
-		                                     : r->rows[i] / 255.0f;
+		image->pixels[i] = image->bits == 16
+					   ? (r->rows[2 * i] << 8 | r->rows[2 * i + 1]) / 65535.0f
+					   : r->rows[i] / 255.0f;
 }
 
 static void read_image(Reading *r)
@@ -119,7 +121,8 @@ static void read_image(Reading *r)
 	png_read_update_info(r->png, r->info);
 	int channels = palette ? IMAGE_RGB + alpha : png_get_channels(r->png, r->info);
 	r->image = image_create((int)png_get_image_width(r->png, r->info),
-	                        (int)png_get_image_height(r->png, r->info), channels, r->bytes->path, r->diag);
+				(int)png_get_image_height(r->png, r->info), channels,
+				r->bytes->path, r->diag);
 	if (!r->image)
 		png_longjmp(r->png, 1);
 	r->image->bits = depth;
@@ -157,12 +160,13 @@ static void silent_error(png_structp png, png_const_charp message)
 	png_longjmp(png, 1);
 }
 
-static void write_header(png_structp png, png_infop info, const ImageValues *v, const ImageEncoding *encoding)
+static void write_header(png_structp png, png_infop info, const ImageValues *v,
+			 const ImageEncoding *encoding)
 {
 	int type = v->channels == 1 ? PNG_COLOR_TYPE_GRAY
 	         : v->channels == IMAGE_RGBA ? PNG_COLOR_TYPE_RGB_ALPHA : PNG_COLOR_TYPE_RGB;
-	png_set_IHDR(png, info, (png_uint_32)v->width, (png_uint_32)v->height, v->bits, type, PNG_INTERLACE_NONE,
-	             PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
+	png_set_IHDR(png, info, (png_uint_32)v->width, (png_uint_32)v->height, v->bits, type,
+		     PNG_INTERLACE_NONE, PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
 	if (encoding->gamma < 0)
 		png_set_sRGB_gAMA_and_cHRM(png, info, PNG_sRGB_INTENT_PERCEPTUAL);
 	else if (encoding->gamma > 0)
@@ -173,7 +177,9 @@ static void write_header(png_structp png, png_infop info, const ImageValues *v, 
 	char region[IMAGE_REGION_TEXT];
 	image_region_write(&encoding->region, region);
 	png_text texts[] = {
-		{.compression = PNG_TEXT_COMPRESSION_NONE, .key = (char *)"Software", .text = (char *)"cognac"},
+		{.compression = PNG_TEXT_COMPRESSION_NONE,
+		 .key = (char *)"Software",
+		 .text = (char *)"cognac"},
 		{.compression = PNG_TEXT_COMPRESSION_NONE, .key = (char *)"Region", .text = region},
 	};
 	png_set_text(png, info, texts, image_region_is_part(&encoding->region) ? 2 : 1);
@@ -199,7 +205,8 @@ static void write_rows(png_structp png, const ImageValues *v, uint8_t *row)
 
 bool image_encode_png(FILE *out, const ImageValues *v, const ImageEncoding *encoding)
 {
-	png_structp png = png_create_write_struct(PNG_LIBPNG_VER_STRING, NULL, silent_error, on_warning);
+	png_structp png = png_create_write_struct(PNG_LIBPNG_VER_STRING, NULL, silent_error,
+						  on_warning);
 	png_infop info = png ? png_create_info_struct(png) : NULL;
 	uint8_t *row = memory_alloc((size_t)v->width * v->channels * 2);
 	volatile bool good = false;

@@ -51,7 +51,8 @@ static bool read_packed_bits(ImageBytes *bytes, Image *image)
 			if (x % 8 == 0 && !image_bytes_has(bytes, 1))
 				return false;
 			int byte = x % 8 == 0 ? image_bytes_u8(bytes) : bytes->data[bytes->at - 1];
-			image->pixels[(size_t)y * image->width + x] = (byte >> (7 - x % 8) & 1) ? 0 : 1;
+			image->pixels[(size_t)y * image->width + x] = (byte >> (7 - x % 8) & 1) ? 0
+												: 1;
 		}
 	return true;
 }
@@ -62,7 +63,9 @@ static bool read_values(ImageBytes *bytes, int kind, int maximum, Image *image)
 		return read_packed_bits(bytes, image);
 	size_t count = (size_t)image->width * image->height * image->channels;
 	for (size_t i = 0; i < count; i++) {
-		int value = kind == 1 ? read_text_bit(bytes) : kind <= 3 ? read_number(bytes) : read_binary(bytes, maximum);
+		int value = kind == 1   ? read_text_bit(bytes)
+			    : kind <= 3 ? read_number(bytes)
+					: read_binary(bytes, maximum);
 		if (value < 0)
 			return false;
 		image->pixels[i] = (float)value / maximum;
@@ -82,7 +85,8 @@ Image *image_decode_pnm(ImageBytes *bytes, Diag *diag)
 	}
 	if (kind >= 4)
 		bytes->at++; /* the one space before the data */
-	Image *image = image_create(width, height, kind == 3 || kind == 6 ? 3 : 1, bytes->path, diag);
+	Image *image = image_create(width, height, kind == 3 || kind == 6 ? 3 : 1, bytes->path,
+				    diag);
 	if (!image)
 		return NULL;
 	image->bits = maximum > 255 ? 16 : maximum > 1 ? 8 : 1;

@@ -1,4 +1,5 @@
-/* From linear light to the whole numbers of a file: transfer, rounding, dithering (Floyd and Steinberg 1976). */
+/* From linear light to the whole numbers of a file: transfer, rounding, dithering (Floyd and
+ * Steinberg 1976). */
 #include <math.h>
 #include <stdlib.h>
 
@@ -10,7 +11,8 @@ typedef struct Quantizer {
 	const ImageEncoding *encoding;
 	int levels;        /* highest value of the asked bits */
 	ImageValues *out;
-	double *error[2];  /* rounding errors handed to this row and the next, channels interleaved; NULL without dither */
+	double *error[2]; /* rounding errors handed to this row and the next, channels interleaved;
+			     NULL without dither */
 } Quantizer;
 
 static double stored_value(const Quantizer *q, const float *pixel, int channel)
@@ -44,8 +46,9 @@ static int round_value(Quantizer *q, double value, int x, int channel)
 	rounded = rounded < 0 ? 0 : rounded > q->levels ? q->levels : rounded;
 	if (q->error[0])
 		spread(q, x, channel, scaled - rounded);
-	return q->levels == q->out->maximum ? rounded
-	                                    : (int)floor((double)rounded * q->out->maximum / q->levels + 0.5);
+	return q->levels == q->out->maximum
+		       ? rounded
+		       : (int)floor((double)rounded * q->out->maximum / q->levels + 0.5);
 }
 
 static void next_row(Quantizer *q)
@@ -66,7 +69,10 @@ ImageValues image_quantize(const Image *image, const ImageEncoding *encoding, in
 	out.bits = encoding->bits > 8 ? 16 : 8;
 	out.maximum = (1 << out.bits) - 1;
 	out.values = memory_alloc(row * out.height * sizeof *out.values);
-	Quantizer q = {.image = image, .encoding = encoding, .levels = (1 << encoding->bits) - 1, .out = &out};
+	Quantizer q = {.image = image,
+		       .encoding = encoding,
+		       .levels = (1 << encoding->bits) - 1,
+		       .out = &out};
 	for (int i = 0; i < 2 && encoding->dither; i++) {
 		q.error[i] = memory_alloc(row * sizeof **q.error);
 		for (size_t k = 0; k < row; k++)

@@ -1,4 +1,5 @@
-/* TGA (Truevision 2.0): palette, true colour and grey, plain and run-length coded; 8, 15, 16, 24 and 32 bits. */
+/* TGA (Truevision 2.0): palette, true colour and grey, plain and run-length coded; 8, 15, 16, 24
+ * and 32 bits. */
 #include <stdlib.h>
 
 #include "image/decode.h"
@@ -39,7 +40,8 @@ static bool header_is_sound(const Header *h)
 {
 	int plain = h->kind & ~KIND_RLE;
 	if (plain == KIND_PALETTE)
-		return h->has_map == 1 && h->bits == 8 && h->map_count > 0 && bits_are_known(h->map_bits);
+		return h->has_map == 1 && h->bits == 8 && h->map_count > 0 &&
+		       bits_are_known(h->map_bits);
 	if (plain == KIND_COLOR)
 		return bits_are_known(h->bits);
 	return plain == KIND_GRAY && h->bits == 8;
@@ -73,7 +75,8 @@ static void read_pixel(ImageBytes *bytes, const Header *h, float out[4], uint8_t
 	}
 }
 
-static void store_pixel(Image *image, const Header *h, size_t i, const float value[4], uint8_t index)
+static void store_pixel(Image *image, const Header *h, size_t i, const float value[4],
+			uint8_t index)
 {
 	int x = (int)(i % (size_t)image->width), y = (int)(i / (size_t)image->width);
 	if (h->flags & FROM_RIGHT)
@@ -124,7 +127,9 @@ Image *image_decode_tga(ImageBytes *bytes, Diag *diag)
 		diag_fail(diag, "%s: not a picture in a format that can be read", bytes->path);
 		return NULL;
 	}
-	int channels = (h.kind & ~KIND_RLE) == KIND_GRAY ? 1 : h.bits == 32 ? IMAGE_RGBA : IMAGE_RGB;
+	int channels = (h.kind & ~KIND_RLE) == KIND_GRAY ? 1
+		       : h.bits == 32                    ? IMAGE_RGBA
+							 : IMAGE_RGB;
 	Image *image = image_create(h.width, h.height, channels, bytes->path, diag);
 	if (!image)
 		return NULL;
@@ -179,7 +184,8 @@ static void put_row_packed(FILE *out, const uint16_t *row, int width, int channe
 		       pixels_equal(row + x * channels, row + (x + run) * channels, channels))
 			run++;
 		while (run == 1 && x + lone < width && lone < 128 &&
-		       !pixels_equal(row + (x + lone - 1) * channels, row + (x + lone) * channels, channels))
+		       !pixels_equal(row + (x + lone - 1) * channels, row + (x + lone) * channels,
+				     channels))
 			lone++;
 		int count = run > 1 ? run : lone;
 		putc((run > 1 ? 128 : 0) | (count - 1), out);

@@ -1,6 +1,7 @@
 /*
- * TIFF through libtiff: 16-bit integers and 32-bit floats as they are where samples lie side by side in strips; everything
- * else (palettes, YCbCr, tiles, planes) through libtiff's own conversion to 8-bit RGBA.
+ * TIFF through libtiff: 16-bit integers and 32-bit floats as they are where samples lie side by
+ * side in strips; everything else (palettes, YCbCr, tiles, planes) through libtiff's own conversion
+ * to 8-bit RGBA.
  */
 #include <stdlib.h>
 #include <string.h>
@@ -68,7 +69,8 @@ static bool read_deep(TIFF *tiff, Image *image, int bits, int samples)
 		float *out = image->pixels + (size_t)y * image->width * image->channels;
 		for (int x = 0; x < image->width && good; x++)
 			for (int c = 0; c < image->channels; c++)
-				out[x * image->channels + c] = sample_value(row, (size_t)x * samples + c, bits);
+				out[x * image->channels + c] = sample_value(
+					row, (size_t)x * samples + c, bits);
 	}
 	free(row);
 	return good;
@@ -78,10 +80,11 @@ static bool read_plain(TIFF *tiff, Image *image)
 {
 	size_t count = (size_t)image->width * image->height;
 	uint32_t *packed = memory_alloc(count * sizeof *packed);
-	bool good = TIFFReadRGBAImageOriented(tiff, (uint32_t)image->width, (uint32_t)image->height, packed,
-	                                      ORIENTATION_TOPLEFT, 1) != 0;
+	bool good = TIFFReadRGBAImageOriented(tiff, (uint32_t)image->width, (uint32_t)image->height,
+					      packed, ORIENTATION_TOPLEFT, 1) != 0;
 	for (size_t i = 0; i < count && good; i++) {
-		float alpha = TIFFGetA(packed[i]) / 255.0f, scale = alpha > 0 ? 1 / (255 * alpha) : 0;
+		float alpha = TIFFGetA(packed[i]) / 255.0f,
+		      scale = alpha > 0 ? 1 / (255 * alpha) : 0;
 		float *out = image->pixels + 4 * i;
 		out[0] = TIFFGetR(packed[i]) * scale;
 		out[1] = TIFFGetG(packed[i]) * scale;
@@ -109,7 +112,8 @@ static Layout layout_of(TIFF *tiff)
 	TIFFGetFieldDefaulted(tiff, TIFFTAG_SAMPLEFORMAT, &l.kind);
 	TIFFGetField(tiff, TIFFTAG_PHOTOMETRIC, &l.photometric);
 	bool plain = l.photometric == PHOTOMETRIC_RGB || l.photometric == PHOTOMETRIC_MINISBLACK;
-	bool depth = (l.bits == 16 && l.kind == SAMPLEFORMAT_UINT) || (l.bits == 32 && l.kind == SAMPLEFORMAT_IEEEFP);
+	bool depth = (l.bits == 16 && l.kind == SAMPLEFORMAT_UINT) ||
+		     (l.bits == 32 && l.kind == SAMPLEFORMAT_IEEEFP);
 	l.deep = depth && plain && l.samples >= 1 && l.samples <= 4 && !TIFFIsTiled(tiff) &&
 	         (l.planar == PLANARCONFIG_CONTIG || l.samples == 1);
 	return l;
@@ -120,7 +124,8 @@ static Image *read_image(TIFF *tiff, const char *path, Diag *diag)
 	Layout l = layout_of(tiff);
 	if (l.width > INT32_MAX || l.height > INT32_MAX)
 		l.width = l.height = 0;
-	Image *image = image_create((int)l.width, (int)l.height, l.deep ? l.samples : 4, path, diag);
+	Image *image = image_create((int)l.width, (int)l.height, l.deep ? l.samples : 4, path,
+				    diag);
 	if (!image)
 		return NULL;
 	image->bits = l.deep ? l.bits : 8;
@@ -136,8 +141,8 @@ Image *image_decode_tiff(ImageBytes *bytes, Diag *diag)
 {
 	TIFFSetErrorHandler(NULL);
 	TIFFSetWarningHandler(NULL);
-	TIFF *tiff = TIFFClientOpen(bytes->path, "rm", bytes, read_bytes, refuse_write, seek, close_nothing, size_of,
-	                            NULL, NULL);
+	TIFF *tiff = TIFFClientOpen(bytes->path, "rm", bytes, read_bytes, refuse_write, seek,
+				    close_nothing, size_of, NULL, NULL);
 	if (!tiff) {
 		diag_fail(diag, "%s: broken TIFF", bytes->path);
 		return NULL;

@@ -39,7 +39,8 @@ static float *premultiplied(const Image *image)
 	return pixels;
 }
 
-static bool write_exr(const char *path, const ImageEncoding *encoding, const Image *image, Diag *diag)
+static bool write_exr(const char *path, const ImageEncoding *encoding, const Image *image,
+		      Diag *diag)
 {
 	static const char *const names[] = {"R", "G", "B", "A"};
 	ExrChannel channels[4];
@@ -47,7 +48,8 @@ static bool write_exr(const char *path, const ImageEncoding *encoding, const Ima
 	exr.channel_count = encoding->alpha ? 4 : 3;
 	float *pixels = encoding->alpha ? premultiplied(image) : image->pixels;
 	for (int c = 0; c < 4; c++)
-		channels[c] = (ExrChannel){.name = names[c], .data = pixels + c, .stride = 4, .half = true};
+		channels[c] = (ExrChannel){
+			.name = names[c], .data = pixels + c, .stride = 4, .half = true};
 	bool good = exr_write(path, &exr, diag);
 	if (encoding->alpha)
 		free(pixels);

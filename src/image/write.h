@@ -1,6 +1,7 @@
 /*
- * Writing pictures: PNG, TGA, PPM/PGM, JPEG, BMP from linear light, with the transfer that POV-Ray calls File_Gamma.
- * (OpenEXR with its named layers is image/exr.h.) Files are written beside and renamed; "-" is standard output.
+ * Writing pictures: PNG, TGA, PPM/PGM, JPEG, BMP from linear light, with the transfer that POV-Ray
+ * calls File_Gamma. (OpenEXR with its named layers is image/exr.h.) Files are written beside and
+ * renamed; "-" is standard output.
  */
 #ifndef IMAGE_WRITE_H
 #define IMAGE_WRITE_H
@@ -8,7 +9,14 @@
 #include "image/image.h"
 
 typedef enum ImageFormat {
-	IMAGE_PNG, IMAGE_TGA, IMAGE_TGA_RLE, IMAGE_PPM, IMAGE_JPEG, IMAGE_BMP, IMAGE_EXR, IMAGE_FORMAT_COUNT
+	IMAGE_PNG,
+	IMAGE_TGA,
+	IMAGE_TGA_RLE,
+	IMAGE_PPM,
+	IMAGE_JPEG,
+	IMAGE_BMP,
+	IMAGE_EXR,
+	IMAGE_FORMAT_COUNT
 } ImageFormat;
 
 /* A negative gamma means the sRGB transfer; 0 leaves values as they are. */
@@ -26,8 +34,8 @@ typedef struct ImageEncoding {
 /* The extension with its dot: ".png". */
 const char *image_format_extension(ImageFormat format);
 
-/* pixels: width x height x 4 (R, G, B, alpha, not premultiplied), linear light, rows from the top. False on failure,
- * reported. IMAGE_EXR writes the layer RGBA alone, in linear light. */
+/* pixels: width x height x 4 (R, G, B, alpha, not premultiplied), linear light, rows from the top.
+ * False on failure, reported. IMAGE_EXR writes the layer RGBA alone, in linear light. */
 bool image_write(const char *path, const ImageEncoding *encoding, const Image *image, Diag *diag);
 
 /* A linear value as the encoding stores it, 0..1, and back. */

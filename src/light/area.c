@@ -13,7 +13,8 @@ AreaFrame area_frame(const Light *light, Vec3 p)
 		side = vec3_cross(light->axis1, toward);
 	side = vec3_normalize(side);
 	Vec3 up = vec3_cross(toward, side);
-	return (AreaFrame){vec3_scale(side, vec3_length(light->axis1)), vec3_scale(up, vec3_length(light->axis2))};
+	return (AreaFrame){vec3_scale(side, vec3_length(light->axis1)),
+			   vec3_scale(up, vec3_length(light->axis2))};
 }
 
 static double centred(double index, int size)
@@ -26,9 +27,11 @@ Vec3 area_point(const Light *light, const AreaFrame *frame, double column, doubl
 	double u = centred(column, light->size1), v = centred(row, light->size2);
 	if (light->circular) {
 		/* Squares around the centre become circles of their inner radius. */
-		double length = hypot(u, v), scale = length > 0 ? fmax(fabs(u), fabs(v)) / length : 0;
+		double length = hypot(u, v),
+		       scale = length > 0 ? fmax(fabs(u), fabs(v)) / length : 0;
 		u *= scale;
 		v *= scale;
 	}
-	return vec3_add(light->position, vec3_add(vec3_scale(frame->axis1, u), vec3_scale(frame->axis2, v)));
+	return vec3_add(light->position,
+			vec3_add(vec3_scale(frame->axis1, u), vec3_scale(frame->axis2, v)));
 }

@@ -21,7 +21,8 @@ int emission_dimensions(const Light *light)
 
 /* ---- regions ---- */
 
-/* The disc of the light's plane that the ball throws its shadow on; a cylinder light's own disc when that is smaller. */
+/* The disc of the light's plane that the ball throws its shadow on; a cylinder light's own disc
+ * when that is smaller. */
 static EmissionRegion disc_region(const Light *light, const EmissionAim *aim)
 {
 	EmissionRegion region = {.plane = true, .axis = light_axis(light), .radius = aim->radius};
@@ -36,7 +37,8 @@ static EmissionRegion disc_region(const Light *light, const EmissionAim *aim)
 	return region;
 }
 
-/* The cap of directions under which the ball is seen; a spotlight's own cone when that is smaller. */
+/* The cap of directions under which the ball is seen; a spotlight's own cone when that is smaller.
+ */
 static EmissionRegion cap_region(const Light *light, Vec3 origin, const EmissionAim *aim)
 {
 	EmissionRegion region = {.origin = origin};
@@ -58,7 +60,8 @@ static EmissionRegion cap_region(const Light *light, Vec3 origin, const Emission
 
 EmissionRegion emission_region(const Light *light, const EmissionAim *aim)
 {
-	return is_collimated(light) ? disc_region(light, aim) : cap_region(light, light->position, aim);
+	return is_collimated(light) ? disc_region(light, aim)
+				    : cap_region(light, light->position, aim);
 }
 
 /* ---- samples ---- */
@@ -86,14 +89,19 @@ static Vec3 area_origin(const Light *light, const EmissionAim *aim, const double
 }
 
 /* Paths start before the ball even where the light's plane cuts it. */
-static Emission sample_disc(const Light *light, const EmissionAim *aim, const EmissionRegion *region, Vec2 disc)
+static Emission sample_disc(const Light *light, const EmissionAim *aim,
+			    const EmissionRegion *region, Vec2 disc)
 {
-	Vec3 offset = vec3_add(vec3_scale(region->u, region->radius * disc.u), vec3_scale(region->v, region->radius * disc.v));
-	Vec3 on_plane = vec3_add(region->origin, offset), from = vec3_sub(on_plane, light->position);
+	Vec3 offset = vec3_add(vec3_scale(region->u, region->radius * disc.u),
+			       vec3_scale(region->v, region->radius * disc.v));
+	Vec3 on_plane = vec3_add(region->origin, offset),
+	     from = vec3_sub(on_plane, light->position);
 	double back = vec3_dot(vec3_sub(aim->center, light->position), region->axis) - aim->radius;
 	return (Emission){
-		.origin = vec3_mad(on_plane, fmin(back, 0), region->axis), .direction = region->axis,
-		.coordinates = {(float)vec3_dot(from, region->u), (float)vec3_dot(from, region->v), 0},
+		.origin = vec3_mad(on_plane, fmin(back, 0), region->axis),
+		.direction = region->axis,
+		.coordinates = {(float)vec3_dot(from, region->u), (float)vec3_dot(from, region->v),
+				0},
 		.measure = region->measure,
 	};
 }
@@ -103,30 +111,40 @@ static Emission sample_cap(const EmissionRegion *region, Vec2 disc)
 	/* the disc's squared radius is uniform, and so is the height of a cap */
 	double r2 = disc.u * disc.u + disc.v * disc.v, down = region->rise * r2, cosine = 1 - down;
 	double sine = sqrt(fmax(down * (2 - down), 0)), r = sqrt(r2);
-	Vec3 around = r > 0 ? vec3_add(vec3_scale(region->u, disc.u / r), vec3_scale(region->v, disc.v / r)) : region->u;
-	Vec3 direction = vec3_normalize(vec3_add(vec3_scale(region->axis, cosine), vec3_scale(around, sine)));
+	Vec3 around = r > 0 ? vec3_add(vec3_scale(region->u, disc.u / r),
+				       vec3_scale(region->v, disc.v / r))
+			    : region->u;
+	Vec3 direction = vec3_normalize(
+		vec3_add(vec3_scale(region->axis, cosine), vec3_scale(around, sine)));
 	return (Emission){
-		.origin = region->origin, .direction = direction,
-		.coordinates = {(float)direction.x, (float)direction.y, (float)direction.z}, .measure = region->measure,
+		.origin = region->origin,
+		.direction = direction,
+		.coordinates = {(float)direction.x, (float)direction.y, (float)direction.z},
+		.measure = region->measure,
 	};
 }
 
-Emission emission_sample(const Light *light, const EmissionAim *aim, const EmissionRegion *region, const double s[4])
+Emission emission_sample(const Light *light, const EmissionAim *aim, const EmissionRegion *region,
+			 const double s[4])
 {
 	Vec2 disc = concentric_disc(s[0], s[1]);
 	if (is_collimated(light))
 		return sample_disc(light, aim, region, disc);
 	if (!emission_takes_point(light))
 		return sample_cap(region, disc);
-	EmissionRegion own = cap_region(light, area_origin(light, aim, s + 2), aim); /* as seen from the point */
+	EmissionRegion own = cap_region(light, area_origin(light, aim, s + 2),
+					aim); /* as seen from the point */
 	return sample_cap(&own, disc);
 }
 
-Rgb emission_flux(const Light *light, const Emission *emission, Vec3 p, double share, double *distance)
+Rgb emission_flux(const Light *light, const Emission *emission, Vec3 p, double share,
+		  double *distance)
 {
 	Vec3 direction;
 	double area = share * emission->measure;
-	Rgb arrival = light_arrival(light, is_collimated(light) ? light->position : emission->origin, p, &direction, distance);
+	Rgb arrival = light_arrival(light,
+				    is_collimated(light) ? light->position : emission->origin, p,
+				    &direction, distance);
 	if (!is_collimated(light))
 		area *= *distance * *distance;
 	return rgb_scale(arrival, (float)area);

@@ -1,18 +1,20 @@
 /*
- * Where photons leave a light, and the emitter coordinates they keep (Spencer & Jones 2013, section 4.1).
+ * Where photons leave a light, and the emitter coordinates they keep (Spencer & Jones 2013,
+ * section 4.1).
  *
- *   parallel and cylinder lights   2-D origin on the plane through the light's position across its axis, in scene units,
- *                                  relative to the position: with the world position a 5-D tree
- *   point lights                   exit direction on the unit sphere: a 6-D tree
- *   spotlights                     exit direction on the unit hemisphere: a 6-D tree
- *   area lights                    exit direction alone. Direction and point together have four dimensions, but a caustic's
- *                                  structure is made by the direction; the point only blurs it, by the light's size over
- *                                  its distance. What is left of the point acts as noise on the neighbourhoods
+ *   parallel and cylinder lights   2-D origin on the plane through the light's position across its
+ * axis, in scene units, relative to the position: with the world position a 5-D tree point lights
+ * exit direction on the unit sphere: a 6-D tree spotlights                     exit direction on
+ * the unit hemisphere: a 6-D tree area lights                    exit direction alone. Direction
+ * and point together have four dimensions, but a caustic's structure is made by the direction; the
+ * point only blurs it, by the light's size over its distance. What is left of the point acts as
+ * noise on the neighbourhoods
  *
- * Emission is aimed at a ball around a target. Brightness follows POV-Ray: where a photon lands counts for how far its light
- * has come in all, along the bent path, so that a clear pane or a flat mirror changes no light, fading or not, by its
- * place. emission_flux gives what falls on the target, emission_growth what becomes of it farther on. For lights that fade
- * with the square of the distance, as real ones do, that is no change.
+ * Emission is aimed at a ball around a target. Brightness follows POV-Ray: where a photon lands
+ * counts for how far its light has come in all, along the bent path, so that a clear pane or a flat
+ * mirror changes no light, fading or not, by its place. emission_flux gives what falls on the
+ * target, emission_growth what becomes of it farther on. For lights that fade with the square of
+ * the distance, as real ones do, that is no change.
  */
 #ifndef LIGHT_EMISSION_H
 #define LIGHT_EMISSION_H
@@ -28,7 +30,8 @@ typedef struct EmissionAim {
 	double radius;
 } EmissionAim;
 
-/* The part of the emitter's parameter space that may reach the target: a disc of the plane, or a cap of directions. */
+/* The part of the emitter's parameter space that may reach the target: a disc of the plane, or a
+ * cap of directions. */
 typedef struct EmissionRegion {
 	bool plane;
 	Vec3 origin;      /* the disc's centre, or the cap's apex */
@@ -48,15 +51,19 @@ EmissionRegion emission_region(const Light *light, const EmissionAim *aim);
 /* 2: coordinates on a plane; 3: on the sphere. */
 int emission_dimensions(const Light *light);
 
-/* Whether samples differ in the point of the light where they start: else the last two numbers mean nothing. */
+/* Whether samples differ in the point of the light where they start: else the last two numbers mean
+ * nothing. */
 bool emission_takes_point(const Light *light);
 
-/* A sample, uniform over the region (emission_region of light and aim), from four numbers in [0, 1); the last two choose the point of an area light. */
-Emission emission_sample(const Light *light, const EmissionAim *aim, const EmissionRegion *region, const double s[4]);
+/* A sample, uniform over the region (emission_region of light and aim), from four numbers in [0,
+ * 1); the last two choose the point of an area light. */
+Emission emission_sample(const Light *light, const EmissionAim *aim, const EmissionRegion *region,
+			 const double s[4]);
 
-/* The flux of a path that stands for `share` of its region (1/number of paths), when it first lands at p; *distance: from the
- * light, or from a collimated light's plane. */
-Rgb emission_flux(const Light *light, const Emission *emission, Vec3 p, double share, double *distance);
+/* The flux of a path that stands for `share` of its region (1/number of paths), when it first lands
+ * at p; *distance: from the light, or from a collimated light's plane. */
+Rgb emission_flux(const Light *light, const Emission *emission, Vec3 p, double share,
+		  double *distance);
 /* What the flux at one distance is multiplied with at another, farther along the path. */
 double emission_growth(const Light *light, double distance, double farther);
 

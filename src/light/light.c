@@ -1,6 +1,6 @@
 /*
- * How lights weaken with direction and distance: POV-Ray 3.7's manual, sections 3.4.4.1.2 (spotlight), .3 (cylinder), .4
- * (parallel) and .9 (fading).
+ * How lights weaken with direction and distance: POV-Ray 3.7's manual, sections 3.4.4.1.2
+ * (spotlight), .3 (cylinder), .4 (parallel) and .9 (fading).
  */
 #include "light/light.h"
 
@@ -31,7 +31,8 @@ static double spot_share(const Light *light, Vec3 axis, Vec3 to_light)
 	if (cosine <= 0)
 		return 0;
 	double share = light->tightness != 0 ? pow(cosine, light->tightness) : 1;
-	return light->falloff > 0 ? share * smooth_step(light->falloff, light->radius, cosine) : share;
+	return light->falloff > 0 ? share * smooth_step(light->falloff, light->radius, cosine)
+				  : share;
 }
 
 static double cylinder_share(const Light *light, Vec3 from, Vec3 axis, Vec3 p)

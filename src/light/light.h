@@ -1,6 +1,6 @@
 /*
- * Light sources as the scene language describes them, in world space; plain immutable data. What reaches a point is
- * light_sample's answer, before shadows.
+ * Light sources as the scene language describes them, in world space; plain immutable data. What
+ * reaches a point is light_sample's answer, before shadows.
  */
 #ifndef LIGHT_LIGHT_H
 #define LIGHT_LIGHT_H
@@ -37,8 +37,9 @@ Light light_default(void);
 /* How much fade_distance and fade_power leave at a distance. */
 double light_fade(const Light *light, double distance);
 
-/* Direction (unit, from p to the light), distance (infinite-ish for parallel lights: to the light's plane) and unshadowed
- * colour that arrives at p from the point `from` on the light (from: position, or a point of the area). */
+/* Direction (unit, from p to the light), distance (infinite-ish for parallel lights: to the light's
+ * plane) and unshadowed colour that arrives at p from the point `from` on the light (from:
+ * position, or a point of the area). */
 Rgb light_arrival(const Light *light, Vec3 from, Vec3 p, Vec3 *direction, double *distance);
 
 #endif

@@ -35,7 +35,8 @@ static EmissionAim ball_of(const Shape *shape)
 {
 	EmissionAim ball = ball_around(shape->box);
 	double scale;
-	if (shape->class == &sphere_class && (!shape->transform || transform_is_similarity(shape->transform, &scale)))
+	if (shape->class == &sphere_class &&
+	    (!shape->transform || transform_is_similarity(shape->transform, &scale)))
 		ball.radius /= sqrt(3);
 	return ball;
 }
@@ -46,10 +47,14 @@ static void add_target(Target *targets, int *count, const Surface *surface, cons
 	while (i < *count && targets[i].id != surface->id)
 		i++;
 	if (i == *count)
-		targets[(*count)++] = (Target){.id = surface->id, .box = shape->box, .ball = ball_of(shape),
-		                              .spacing = surface->photon_spacing, .surface = surface};
+		targets[(*count)++] = (Target){.id = surface->id,
+					       .box = shape->box,
+					       .ball = ball_of(shape),
+					       .spacing = surface->photon_spacing,
+					       .surface = surface};
 	else
-		targets[i].ball = ball_around(targets[i].box = box3_union(targets[i].box, shape->box));
+		targets[i].ball = ball_around(
+			targets[i].box = box3_union(targets[i].box, shape->box));
 }
 
 static int find_targets(const Scene *scene, Target *targets)
@@ -76,8 +81,9 @@ bool photon_light_reaches(const Light *light, const Surface *surface)
 /* A light shoots at a target when both agree on at least one kind of event. */
 static bool shoots(const Light *light, const Surface *surface)
 {
-	return photon_light_reaches(light, surface) && ((light->photons_refraction && surface->photons_refraction) ||
-	                                                (light->photons_reflection && surface->photons_reflection));
+	return photon_light_reaches(light, surface) &&
+	       ((light->photons_refraction && surface->photons_refraction) ||
+		(light->photons_reflection && surface->photons_reflection));
 }
 
 /* The objects that the light stands in. */
@@ -92,7 +98,8 @@ static void find_inside(const Scene *scene, Vec3 place, InsideStack *inside)
 
 static PhotonAim make_aim(const Scene *scene, int light, const Target *target, uint64_t seed)
 {
-	PhotonAim aim = {.light = light, .target = target->id, .box = target->box, .ball = target->ball};
+	PhotonAim aim = {
+		.light = light, .target = target->id, .box = target->box, .ball = target->ball};
 	uint64_t sequence = (uint64_t)light << 32 | (uint32_t)target->id;
 	for (uint64_t k = 0; k < 4; k++)
 		aim.shift[k] = random_uniform(seed, sequence, k);
@@ -105,9 +112,14 @@ bool photon_aim_hits(const PhotonAim *aim, const Emission *emission)
 {
 	double near = 0, far = INFINITY;
 	for (int axis = 0; axis < 3; axis++) {
-		double o = vec3_axis(emission->origin, axis), inverse = 1 / vec3_axis(emission->direction, axis);
-		double a = (vec3_axis(aim->box.lo, axis) - o) * inverse, b = (vec3_axis(aim->box.hi, axis) - o) * inverse;
-		near = fmax(near, fmin(a, b)); /* fmax and fmin pass over the NaN of a ray in a face's plane */
+		double o = vec3_axis(emission->origin, axis),
+		       inverse = 1 / vec3_axis(emission->direction, axis);
+		double a = (vec3_axis(aim->box.lo, axis) - o) * inverse,
+		       b = (vec3_axis(aim->box.hi, axis) - o) * inverse;
+		near = fmax(
+			near,
+			fmin(a,
+			     b)); /* fmax and fmin pass over the NaN of a ray in a face's plane */
 		far = fmin(far, fmax(a, b));
 	}
 	return near <= far * (1 + 1e-9) + 1e-12;
@@ -115,7 +127,8 @@ bool photon_aim_hits(const PhotonAim *aim, const Emission *emission)
 
 static const uint64_t HALTON_SKIP = 1; /* index 0 is a corner in every dimension */
 
-Emission photon_emission(const Scene *scene, const PhotonAim *aim, const PhotonTraceOptions *options, uint64_t path)
+Emission photon_emission(const Scene *scene, const PhotonAim *aim,
+			 const PhotonTraceOptions *options, uint64_t path)
 {
 	uint64_t index = options->pass * aim->paths + path + HALTON_SKIP;
 	double s[4] = {0};
@@ -141,13 +154,15 @@ static double box_share(const Scene *scene, const PhotonAim *aim)
 }
 
 /*
- * With `spacing` a target's ball gets one path per spacing squared of its disc. With `count` that many paths at the boxes are shared
- * out by the same measure. Lights take `share` times as many.
+ * With `spacing` a target's ball gets one path per spacing squared of its disc. With `count` that
+ * many paths at the boxes are shared out by the same measure. Lights take `share` times as many.
  */
-static void share_out(const Scene *scene, PhotonAims *aims, const double *density, const PhotonTraceOptions *options)
+static void share_out(const Scene *scene, PhotonAims *aims, const double *density,
+		      const PhotonTraceOptions *options)
 {
 	const PhotonSettings *settings = &scene->settings.photons;
-	double total = 0, count = (double)(options->count ? options->count : (uint64_t)settings->count);
+	double total = 0,
+	       count = (double)(options->count ? options->count : (uint64_t)settings->count);
 	for (int i = 0; i < aims->count; i++) {
 		double radius = aims->aims[i].ball.radius;
 		total += M_PI * radius * radius * density[i] * box_share(scene, &aims->aims[i]);
@@ -156,7 +171,9 @@ static void share_out(const Scene *scene, PhotonAims *aims, const double *densit
 		PhotonAim *aim = &aims->aims[i];
 		double disc = M_PI * aim->ball.radius * aim->ball.radius * density[i];
 		double paths = count > 0 ? count * disc / total
-		                         : disc / (settings->spacing > 0 ? settings->spacing * settings->spacing : 1);
+					 : disc / (settings->spacing > 0
+							   ? settings->spacing * settings->spacing
+							   : 1);
 		aim->paths = (uint64_t)fmax(ceil(paths * options->scale), 1);
 		aim->first = aims->paths;
 		aims->paths += aim->paths;
@@ -167,8 +184,10 @@ PhotonAims photon_aims(const Scene *scene, const PhotonTraceOptions *options, Ar
 {
 	Target *targets = ARENA_ARRAY(arena, Target, scene->shape_count + 1);
 	int count = find_targets(scene, targets);
-	PhotonAims aims = {ARENA_ARRAY(arena, PhotonAim, (size_t)count * (size_t)scene->light_count + 1), 0, 0};
-	double *density = ARENA_ARRAY(arena, double, (size_t)count * (size_t)scene->light_count + 1);
+	PhotonAims aims = {
+		ARENA_ARRAY(arena, PhotonAim, (size_t)count * (size_t)scene->light_count + 1), 0,
+		0};
+	double *density = ARENA_ARRAY(arena, double, (size_t)count *(size_t)scene->light_count + 1);
 	for (int l = 0; l < scene->light_count; l++) {
 		for (int t = 0; t < count; t++) {
 			if (!shoots(&scene->lights[l], targets[t].surface))

@@ -1,6 +1,6 @@
 /*
- * What photons are aimed at: for each light and each target object, a ball around it, how many paths go there, and where they
- * start in the low-discrepancy sequence.
+ * What photons are aimed at: for each light and each target object, a ball around it, how many
+ * paths go there, and where they start in the low-discrepancy sequence.
  */
 #ifndef PHOTON_AIM_H
 #define PHOTON_AIM_H
@@ -33,7 +33,8 @@ typedef struct PhotonAims {
 PhotonAims photon_aims(const Scene *scene, const PhotonTraceOptions *options, Arena *arena);
 
 /* The emission of one path of an aim: Halton points, shifted as a whole by the seed. */
-Emission photon_emission(const Scene *scene, const PhotonAim *aim, const PhotonTraceOptions *options, uint64_t path);
+Emission photon_emission(const Scene *scene, const PhotonAim *aim,
+			 const PhotonTraceOptions *options, uint64_t path);
 /* Whether a ray meets the target's box. */
 bool photon_aim_hits(const PhotonAim *aim, const Emission *emission);
 /* Whether the light shines on the surface at all (light groups). */

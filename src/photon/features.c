@@ -33,7 +33,8 @@ FeatureAxes feature_axes(const double (*points)[2], int count, double radius)
 	xx = xx * per - x * x;
 	xy = xy * per - x * y;
 	yy = yy * per - y * y;
-	double middle = 0.5 * (xx + yy), half = hypot(0.5 * (xx - yy), xy), angle = 0.5 * atan2(2 * xy, xx - yy);
+	double middle = 0.5 * (xx + yy), half = hypot(0.5 * (xx - yy), xy),
+	       angle = 0.5 * atan2(2 * xy, xx - yy);
 	return (FeatureAxes){middle + half, fmax(middle - half, 0), {cos(angle), sin(angle)}};
 }
 
@@ -43,8 +44,9 @@ double feature_freedom(double l2, int count)
 	if (count < 1 || isnan(l2))
 		return 1;
 	l2 = fmin(fmax(l2, half_disc), disc);
-	double migration = sqrt(disc - l2);                                       /* M, SJ13 eq. 2 */
-	double mean = disc - 0.2809 / sqrt(count), deviation = 0.188 / sqrt(count); /* eqs. 5 and 4 */
+	double migration = sqrt(disc - l2); /* M, SJ13 eq. 2 */
+	double mean = disc - 0.2809 / sqrt(count),
+	       deviation = 0.188 / sqrt(count); /* eqs. 5 and 4 */
 	double likelihood = 0.5 * (1 - erf((l2 - mean) / (M_SQRT2 * deviation))); /* Phi, eq. 6 */
 	return fmin(fmax(1 - 0.75 * M_PI * migration * likelihood, 0), 1);
 }
@@ -74,15 +76,19 @@ static void range_run(RelaxSet *set, uint32_t first, uint32_t end, void *data)
 		int count = photon_tree_nearest(job->tree, &query, near);
 		/* eq. 1 with rho = n / (pi r^2) */
 		if (count == DENSITY_NEIGHBORS + 1)
-			point->range2 = (float)(job->factor * photon_tree_farthest(near, count) / DENSITY_NEIGHBORS);
+			point->range2 = (float)(job->factor * photon_tree_farthest(near, count) /
+						DENSITY_NEIGHBORS);
 	}
 }
 
 static void find_ranges(RelaxSet *set, const Relaxation *settings)
 {
 	const RelaxPoint *points = set->points;
-	TreePoints given = {.position = points->emitter, .emitter = points->emitter, .light = &points->sheet,
-	                    .count = set->count, .stride = sizeof *points};
+	TreePoints given = {.position = points->emitter,
+			    .emitter = points->emitter,
+			    .light = &points->sheet,
+			    .count = set->count,
+			    .stride = sizeof *points};
 	PhotonTree *tree = photon_tree_create(&given);
 	RangeJob job = {tree, settings->range * settings->range * settings->neighbors};
 	relax_set_each(set, range_run, &job);
@@ -115,7 +121,9 @@ static int flatten(const RelaxSet *set, uint32_t i, Vec3 u, Vec3 v, const Neighb
 
 static void set_basis(RelaxBasis *basis, Vec3 u, Vec3 v, double v_length)
 {
-	*basis = (RelaxBasis){{(float)u.x, (float)u.y, (float)u.z}, {(float)v.x, (float)v.y, (float)v.z}, (float)v_length};
+	*basis = (RelaxBasis){{(float)u.x, (float)u.y, (float)u.z},
+			      {(float)v.x, (float)v.y, (float)v.z},
+			      (float)v_length};
 }
 
 static void basis_run(RelaxSet *set, uint32_t first, uint32_t end, void *data)
@@ -127,16 +135,21 @@ static void basis_run(RelaxSet *set, uint32_t first, uint32_t end, void *data)
 		const RelaxPoint *point = &set->points[i];
 		EmitterRange range;
 		relax_set_range(set, RELAX_PARAMETER, i, &range);
-		NearestQuery query = {{point->position[0], point->position[1], point->position[2]}, INFINITY, job->count + 1,
-		                      &range};
+		NearestQuery query = {{point->position[0], point->position[1], point->position[2]},
+				      INFINITY,
+				      job->count + 1,
+				      &range};
 		int found = photon_tree_nearest(job->tree, &query, near);
-		Vec3 u, v, normal = vec3_normalize(vec3(point->normal[0], point->normal[1], point->normal[2]));
+		Vec3 u, v,
+			normal = vec3_normalize(
+				vec3(point->normal[0], point->normal[1], point->normal[2]));
 		vec3_frame(normal, &u, &v);
 		int count = flatten(set, i, u, v, near, found, flat);
 		double radius = sqrt(photon_tree_farthest(near, found));
 		FeatureAxes axes = feature_axes((const double (*)[2])flat, count, radius);
 		Vec3 along = vec3_add(vec3_scale(u, axes.u[0]), vec3_scale(v, axes.u[1]));
-		set_basis(&set->bases[i], along, vec3_cross(normal, along), feature_freedom(axes.l2, radius > 0 ? count : 0));
+		set_basis(&set->bases[i], along, vec3_cross(normal, along),
+			  feature_freedom(axes.l2, radius > 0 ? count : 0));
 	}
 }
 

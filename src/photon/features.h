@@ -9,7 +9,8 @@
 
 /* Points in the tangent plane about a photon, and what their covariance says. */
 typedef struct FeatureAxes {
-	double l1, l2;   /* l1 >= l2 >= 0, per square of the kernel's radius: a uniform disc has 1/4 both */
+	double l1, l2; /* l1 >= l2 >= 0, per square of the kernel's radius: a uniform disc has 1/4
+			  both */
 	double u[2];     /* unit vector of l1 */
 } FeatureAxes;
 

@@ -30,9 +30,9 @@ static int compare_floats(const void *a, const void *b)
 }
 
 /*
- * The spacing of photons on surfaces: with k of them in a disc of radius r there is one in pi r^2 / k, and the side of that
- * square is what is meant. The median over some photons, taken evenly, is not moved by the few in the dense caustic's core
- * or far out.
+ * The spacing of photons on surfaces: with k of them in a disc of radius r there is one in pi r^2 /
+ * k, and the side of that square is what is meant. The median over some photons, taken evenly, is
+ * not moved by the few in the dense caustic's core or far out.
  */
 static double median_spacing(const PhotonMap *map)
 {
@@ -57,7 +57,8 @@ static double median_spacing(const PhotonMap *map)
 void photon_map_index(PhotonMap *map, float emitter_weight)
 {
 	photon_tree_destroy(map->tree);
-	TreePoints points = {.count = map->count, .stride = sizeof(Photon), .emitter_weight = emitter_weight};
+	TreePoints points = {
+		.count = map->count, .stride = sizeof(Photon), .emitter_weight = emitter_weight};
 	if (map->count > 0) {
 		points.position = map->photons->position;
 		points.emitter = map->photons->emitter;

@@ -1,11 +1,14 @@
 /*
- * A path starts with the flux that its first hit settles, and a photon has what that grows to (light/emission.h). At each surface it leaves a photon if the surface
- * collects and the path has been bent or reflected before; then one of the surface's mirrors and passages is chosen by its
- * weight and the path goes on. Flux is divided by the choice's probability, so that its expectation is right; under
- * adc_bailout of what it started with, a path survives by Russian roulette (Arvo & Kirk 1990).
+ * A path starts with the flux that its first hit settles, and a photon has what that grows to
+ * (light/emission.h). At each surface it leaves a photon if the surface collects and the path has
+ * been bent or reflected before; then one of the surface's mirrors and passages is chosen by its
+ * weight and the path goes on. Flux is divided by the choice's probability, so that its expectation
+ * is right; under adc_bailout of what it started with, a path survives by Russian roulette (Arvo &
+ * Kirk 1990).
  *
- * Energy: what a surface takes from a path counts as stored where a photon was left and as absorbed elsewhere; what leaves the scene
- * has escaped. The three, in the flux of the first hit, add up to what was emitted onto targets.
+ * Energy: what a surface takes from a path counts as stored where a photon was left and as absorbed
+ * elsewhere; what leaves the scene has escaped. The three, in the flux of the first hit, add up to
+ * what was emitted onto targets.
  */
 #include "photon/path.h"
 
@@ -46,7 +49,8 @@ static bool accept_on_the_way(void *data, const Ray *ray, const Hit *hit)
 	const Path *path = data;
 	const Surface *surface = hit->shape->owner;
 	/* Until it has met the target, a path passes what is told to let it. */
-	return path->edges > 0 || !surface->photons_pass_through || surface->id == path->aim->target;
+	return path->edges > 0 || !surface->photons_pass_through ||
+	       surface->id == path->aim->target;
 }
 
 static void push_photon(PhotonBuffer *out, const Photon *photon)
@@ -63,12 +67,18 @@ static void store(Path *path, const ShadePoint *point)
 	Vec3 p = point->at.world, normal = point->at.normal;
 	Photon photon = {
 		.position = {(float)p.x, (float)p.y, (float)p.z},
-		.emitter = {path->emission.coordinates[0], path->emission.coordinates[1], path->emission.coordinates[2]},
-		.length = (float)path->length, .light = (uint16_t)path->aim->light, .object = (uint16_t)point->surface->id,
-		.edges = (uint8_t)(path->edges < 255 ? path->edges : 255), .path = path->kind,
+		.emitter = {path->emission.coordinates[0], path->emission.coordinates[1],
+			    path->emission.coordinates[2]},
+		.length = (float)path->length,
+		.light = (uint16_t)path->aim->light,
+		.object = (uint16_t)point->surface->id,
+		.edges = (uint8_t)(path->edges < 255 ? path->edges : 255),
+		.path = path->kind,
 	};
 	double farther = path->first_distance + path->length - path->first_length;
-	photon_set_flux(&photon, rgb_scale(path->flux, (float)emission_growth(path->light, path->first_distance, farther)));
+	photon_set_flux(&photon,
+			rgb_scale(path->flux, (float)emission_growth(
+						      path->light, path->first_distance, farther)));
 	photon_set_direction(&photon, vec3_neg(path->ray.direction));
 	photon_set_normal(&photon, normal);
 	push_photon(path->out, &photon);
@@ -98,7 +108,8 @@ static bool disperses(const Interior *interior)
 
 static double hue_of(const PhotonTraceOptions *options, uint64_t number)
 {
-	double hue = random_halton(number + 1, DIMENSION_HUE) + random_uniform(options->seed, options->pass, DIMENSION_HUE);
+	double hue = random_halton(number + 1, DIMENSION_HUE) +
+		     random_uniform(options->seed, options->pass, DIMENSION_HUE);
 	return hue - floor(hue);
 }
 
@@ -116,10 +127,13 @@ static void make_bsdf(Path *path, const ShadePoint *point, const Shading *shadin
 {
 	const ShadingStack *stack = choose_stack(path, shading);
 	BsdfPlace place = {
-		.from = vec3_neg(path->ray.direction), .geometric = point->at.normal, .world = point->at.world,
+		.from = vec3_neg(path->ray.direction),
+		.geometric = point->at.normal,
+		.world = point->at.world,
 		.ior = inside_ratio_of_hue(&path->inside, point->surface, path->hue),
 		.both_sides = point->surface->double_illuminate,
-		.irid_wavelength = path->scene->settings.irid_wavelength, .grain = 0.5,
+		.irid_wavelength = path->scene->settings.irid_wavelength,
+		.grain = 0.5,
 	};
 	bsdf_init(bsdf, &shading->layers[stack->first], stack->count, &place);
 }
@@ -131,7 +145,8 @@ static bool allowed(const Path *path, const Surface *surface, const BsdfEvent *e
 	return event->kind == BSDF_REFLECT ? reflection : refraction;
 }
 
-/* Picks one event by its weight and multiplies its weight so that the expectation is all of them; false when none is left. */
+/* Picks one event by its weight and multiplies its weight so that the expectation is all of them;
+ * false when none is left. */
 static bool choose_event(Path *path, const Surface *surface, const Bsdf *bsdf, BsdfEvent *chosen)
 {
 	BsdfEvent events[BSDF_MAX_EVENTS];
@@ -187,15 +202,18 @@ static void go_on(Path *path, const ShadePoint *point, const BsdfEvent *event)
 	path->level += event->kind == BSDF_REFLECT || event->bent;
 	path->ray = (Ray){point->at.world, event->to, shade_epsilon(point->at.world), INFINITY};
 	int what = event->kind == BSDF_REFLECT ? 1 : event->total ? 2 : 3;
-	path->kind = (uint8_t)random_mix(path->kind * 4096u + (unsigned)point->surface->id * 4u + (unsigned)what + 1);
+	path->kind = (uint8_t)random_mix(path->kind * 4096u + (unsigned)point->surface->id * 4u +
+					 (unsigned)what + 1);
 }
 
-/* The first surface a path meets must be its target: others have paths of their own, or stand in the way. */
+/* The first surface a path meets must be its target: others have paths of their own, or stand in
+ * the way. */
 static bool lands_on_target(Path *path, const ShadePoint *point, double share)
 {
 	if (point->surface->id != path->aim->target)
 		return false;
-	path->flux = emission_flux(path->light, &path->emission, point->at.world, share, &path->first_distance);
+	path->flux = emission_flux(path->light, &path->emission, point->at.world, share,
+				   &path->first_distance);
 	path->first_length = path->length;
 	path->start = rgb_gray(path->flux);
 	path->out->statistics.emitted_flux += path->start;
@@ -217,7 +235,8 @@ static bool meet(Path *path, const Hit *hit, double share)
 	path->edges++;
 	float before = rgb_gray(path->flux);
 	if (inside_has(&path->inside, point.surface))
-		path->flux = rgb_mul(path->flux, shade_attenuation(point.surface->interior, hit->t));
+		path->flux = rgb_mul(path->flux,
+				     shade_attenuation(point.surface->interior, hit->t));
 	statistics->absorbed_flux += before - rgb_gray(path->flux);
 	shade_textures(&point, &shading);
 	settle_hue(path, point.surface);
@@ -227,7 +246,8 @@ static bool meet(Path *path, const Hit *hit, double share)
 	              photon_light_reaches(path->light, point.surface);
 	if (stored)
 		store(path, &point);
-	bool on = path->level < most_levels(path->scene) && choose_event(path, point.surface, &bsdf, &event);
+	bool on = path->level < most_levels(path->scene) &&
+		  choose_event(path, point.surface, &bsdf, &event);
 	if (on) {
 		go_on(path, &point, &event);
 		on = survives(path);
@@ -237,12 +257,17 @@ static bool meet(Path *path, const Hit *hit, double share)
 	return on;
 }
 
-void photon_path(const Scene *scene, const PhotonAim *aim, const PhotonTraceOptions *options, uint64_t number,
-                 PhotonBuffer *out)
+void photon_path(const Scene *scene, const PhotonAim *aim, const PhotonTraceOptions *options,
+		 uint64_t number, PhotonBuffer *out)
 {
 	Path path = {
-		.scene = scene, .light = &scene->lights[aim->light], .aim = aim, .out = out, .hue = 0.5,
-		.options = options, .number = number,
+		.scene = scene,
+		.light = &scene->lights[aim->light],
+		.aim = aim,
+		.out = out,
+		.hue = 0.5,
+		.options = options,
+		.number = number,
 		.sampler = {random_bits(options->seed, options->pass, 1), aim->first + number, 0},
 	};
 	path.emission = photon_emission(scene, aim, options, number);

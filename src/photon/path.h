@@ -12,7 +12,7 @@ typedef struct PhotonBuffer {
 } PhotonBuffer;
 
 /* number: of the path among all of the aim's. */
-void photon_path(const Scene *scene, const PhotonAim *aim, const PhotonTraceOptions *options, uint64_t number,
-                 PhotonBuffer *out);
+void photon_path(const Scene *scene, const PhotonAim *aim, const PhotonTraceOptions *options,
+		 uint64_t number, PhotonBuffer *out);
 
 #endif

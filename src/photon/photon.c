@@ -2,7 +2,8 @@
 
 #include <math.h>
 
-/* ---- flux: 16-bit mantissas under one exponent, chosen by the largest channel; relative error of that channel 2^-17 ---- */
+/* ---- flux: 16-bit mantissas under one exponent, chosen by the largest channel; relative error of
+ * that channel 2^-17 ---- */
 
 static uint16_t to_mantissa(float value, int exponent)
 {
@@ -28,16 +29,19 @@ void photon_set_flux(Photon *photon, Rgb flux)
 Rgb photon_flux(const Photon *photon)
 {
 	float unit = ldexpf(1, photon->exponent - 16);
-	return rgb(unit * photon->mantissa[0], unit * photon->mantissa[1], unit * photon->mantissa[2]);
+	return rgb(unit * photon->mantissa[0], unit * photon->mantissa[1],
+		   unit * photon->mantissa[2]);
 }
 
-/* ---- unit vectors: the octahedral map (Cigolle et al. 2014), each coordinate rounded to the nearest of `steps` + 1 ---- */
+/* ---- unit vectors: the octahedral map (Cigolle et al. 2014), each coordinate rounded to the
+ * nearest of `steps` + 1 ---- */
 
 static double sign_of(double a) { return a < 0 ? -1 : 1; }
 
 static void to_octahedron(Vec3 n, double *u, double *v)
 {
-	double sum = fabs(n.x) + fabs(n.y) + fabs(n.z), x = sum > 0 ? n.x / sum : 0, y = sum > 0 ? n.y / sum : 0;
+	double sum = fabs(n.x) + fabs(n.y) + fabs(n.z), x = sum > 0 ? n.x / sum : 0,
+	       y = sum > 0 ? n.y / sum : 0;
 	*u = n.z >= 0 ? x : (1 - fabs(y)) * sign_of(x);
 	*v = n.z >= 0 ? y : (1 - fabs(x)) * sign_of(y);
 }
@@ -66,7 +70,8 @@ void photon_set_direction(Photon *photon, Vec3 unit)
 
 Vec3 photon_direction(const Photon *photon)
 {
-	return from_octahedron(dequantize(photon->direction[0], FINE), dequantize(photon->direction[1], FINE));
+	return from_octahedron(dequantize(photon->direction[0], FINE),
+			       dequantize(photon->direction[1], FINE));
 }
 
 void photon_set_normal(Photon *photon, Vec3 unit)
@@ -79,5 +84,6 @@ void photon_set_normal(Photon *photon, Vec3 unit)
 
 Vec3 photon_normal(const Photon *photon)
 {
-	return from_octahedron(dequantize(photon->normal[0], COARSE), dequantize(photon->normal[1], COARSE));
+	return from_octahedron(dequantize(photon->normal[0], COARSE),
+			       dequantize(photon->normal[1], COARSE));
 }

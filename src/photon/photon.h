@@ -1,6 +1,7 @@
 /*
- * The photon: 48 bytes. It remembers where it left its light (Spencer & Jones 2013, section 4.1): emitter coordinates are the 2-D
- * origin on the emitter's plane (third 0) for collimated lights, or the unit exit direction for point-like ones.
+ * The photon: 48 bytes. It remembers where it left its light (Spencer & Jones 2013, section 4.1):
+ * emitter coordinates are the 2-D origin on the emitter's plane (third 0) for collimated lights, or
+ * the unit exit direction for point-like ones.
  */
 #ifndef PHOTON_PHOTON_H
 #define PHOTON_PHOTON_H
@@ -12,22 +13,25 @@
 
 typedef struct Photon {
 	float position[3];     /* world */
-	float emitter[3];      /* emitter coordinates, in the light's own units: see light/emission.h */
+	float emitter[3]; /* emitter coordinates, in the light's own units: see light/emission.h */
 	float length;          /* of the path from the light, scene units */
 	uint16_t mantissa[3];  /* flux: mantissa * 2^(exponent - 16) per channel */
 	int16_t exponent;
-	uint16_t direction[2]; /* where it came from: unit vector from the surface back along the path, octahedral */
+	uint16_t direction[2]; /* where it came from: unit vector from the surface back along the
+				  path, octahedral */
 	uint16_t light;        /* number of the scene's light */
 	uint16_t object;       /* Surface.id of the object it landed on, modulo 65536 */
 	uint8_t normal[2];     /* of the surface it landed on, on the photon's side, octahedral */
 	uint8_t edges;         /* of the path: 2 for light - glass - table */
-	uint8_t path;          /* hash of the objects and events on the way: equal for photons of one sheet */
+	uint8_t path; /* hash of the objects and events on the way: equal for photons of one sheet
+		       */
 } Photon;
 
 _Static_assert(sizeof(Photon) == 48, "a photon is 48 bytes");
 
-/* flux: share of the light's radiant flux that this photon carries, such that a surface of albedo 1 which gathers flux F per
- * area A shows the colour F / A, as POV-Ray's light of colour 1 shows 1 (irradiance divided by pi is not taken). */
+/* flux: share of the light's radiant flux that this photon carries, such that a surface of albedo 1
+ * which gathers flux F per area A shows the colour F / A, as POV-Ray's light of colour 1 shows 1
+ * (irradiance divided by pi is not taken). */
 void photon_set_flux(Photon *photon, Rgb flux);
 Rgb photon_flux(const Photon *photon);
 void photon_set_direction(Photon *photon, Vec3 unit);

@@ -1,7 +1,8 @@
 /*
- * Photon maps as PLY (Turk 1994): binary little-endian, a vertex a photon, unpacked into plain numbers, so that MeshLab,
- * CloudCompare and Blender show them. Lights travel as a second element. Numbers are written in the machine's order, which is
- * little-endian on every machine this runs on; reading other orders or ASCII is refused.
+ * Photon maps as PLY (Turk 1994): binary little-endian, a vertex a photon, unpacked into plain
+ * numbers, so that MeshLab, CloudCompare and Blender show them. Lights travel as a second element.
+ * Numbers are written in the machine's order, which is little-endian on every machine this runs on;
+ * reading other orders or ASCII is refused.
  */
 #include <errno.h>
 #include <math.h>
@@ -13,7 +14,8 @@
 #include "base/arena.h"
 #include "photon/map.h"
 
-_Static_assert(__BYTE_ORDER__ == __ORDER_LITTLE_ENDIAN__, "PLY files are written in little-endian order");
+_Static_assert(__BYTE_ORDER__ == __ORDER_LITTLE_ENDIAN__,
+	       "PLY files are written in little-endian order");
 
 typedef struct PlyPhoton {
 	float x, y, z, nx, ny, nz, red, green, blue; /* flux */
@@ -44,15 +46,18 @@ static PlyPhoton unpack(const Photon *p)
 {
 	Vec3 n = photon_normal(p), d = photon_direction(p);
 	Rgb flux = photon_flux(p);
-	return (PlyPhoton){p->position[0], p->position[1], p->position[2], (float)n.x, (float)n.y, (float)n.z, flux.r, flux.g,
-	                   flux.b, (float)d.x, (float)d.y, (float)d.z, p->emitter[0], p->emitter[1], p->emitter[2], p->length,
-	                   p->light, p->object, p->edges, p->path};
+	return (PlyPhoton){p->position[0], p->position[1], p->position[2], (float)n.x,
+			   (float)n.y,     (float)n.z,     flux.r,         flux.g,
+			   flux.b,         (float)d.x,     (float)d.y,     (float)d.z,
+			   p->emitter[0],  p->emitter[1],  p->emitter[2],  p->length,
+			   p->light,       p->object,      p->edges,       p->path};
 }
 
 static bool write_all(const PhotonMap *map, FILE *file)
 {
-	fprintf(file, "ply\nformat binary_little_endian 1.0\ncomment photon map of cognac\nelement vertex %u\n%s", map->count,
-	        photon_properties);
+	fprintf(file,
+		"ply\nformat binary_little_endian 1.0\ncomment photon map of cognac\nelement vertex %u\n%s",
+		map->count, photon_properties);
 	fprintf(file, "element light %d\n%send_header\n", map->light_count, light_properties);
 	for (uint32_t i = 0; i < map->count; i++) {
 		PlyPhoton row = unpack(&map->photons[i]);
@@ -61,7 +66,8 @@ static bool write_all(const PhotonMap *map, FILE *file)
 	}
 	for (int i = 0; i < map->light_count; i++) {
 		const PhotonLight *l = &map->lights[i];
-		PlyLight row = {(double)l->paths, l->parameter_area, (uint8_t)l->parameter_dimensions};
+		PlyLight row = {(double)l->paths, l->parameter_area,
+				(uint8_t)l->parameter_dimensions};
 		if (fwrite(&row, sizeof row, 1, file) != 1)
 			return false;
 	}
@@ -93,7 +99,8 @@ static bool expect_lines(FILE *file, const char *lines)
 	char line[LONGEST_LINE];
 	while (*lines) {
 		size_t length = (size_t)(strchr(lines, '\n') + 1 - lines);
-		if (!fgets(line, sizeof line, file) || strlen(line) != length || memcmp(line, lines, length) != 0)
+		if (!fgets(line, sizeof line, file) || strlen(line) != length ||
+		    memcmp(line, lines, length) != 0)
 			return false;
 		lines += length;
 	}
@@ -108,15 +115,21 @@ static bool expect_count(FILE *file, const char *format, unsigned *count)
 
 static bool is_sound(const PlyPhoton *row)
 {
-	float sum = row->x + row->y + row->z + row->nx + row->ny + row->nz + row->red + row->green + row->blue + row->dx + row->dy +
-	            row->dz + row->e1 + row->e2 + row->e3 + row->length;
+	float sum = row->x + row->y + row->z + row->nx + row->ny + row->nz + row->red + row->green +
+		    row->blue + row->dx + row->dy + row->dz + row->e1 + row->e2 + row->e3 +
+		    row->length;
 	return isfinite(sum) && row->red >= 0 && row->green >= 0 && row->blue >= 0;
 }
 
 static Photon pack(const PlyPhoton *row)
 {
-	Photon p = {.position = {row->x, row->y, row->z}, .emitter = {row->e1, row->e2, row->e3}, .length = row->length,
-	            .light = row->light, .object = row->object, .edges = row->edges, .path = row->path};
+	Photon p = {.position = {row->x, row->y, row->z},
+		    .emitter = {row->e1, row->e2, row->e3},
+		    .length = row->length,
+		    .light = row->light,
+		    .object = row->object,
+		    .edges = row->edges,
+		    .path = row->path};
 	photon_set_flux(&p, rgb(row->red, row->green, row->blue));
 	photon_set_direction(&p, vec3_normalize(vec3(row->dx, row->dy, row->dz)));
 	photon_set_normal(&p, vec3_normalize(vec3(row->nx, row->ny, row->nz)));
@@ -134,7 +147,8 @@ static long bytes_left(FILE *file)
 
 static const char *read_rows(PhotonMap *map, FILE *file)
 {
-	long need = (long)(map->count * sizeof(PlyPhoton) + (size_t)map->light_count * sizeof(PlyLight));
+	long need = (long)(map->count * sizeof(PlyPhoton) +
+			   (size_t)map->light_count * sizeof(PlyLight));
 	if (bytes_left(file) != need)
 		return "its length does not fit its header";
 	map->photons = memory_alloc(sizeof(Photon) * map->count);
@@ -151,7 +165,8 @@ static const char *read_rows(PhotonMap *map, FILE *file)
 		PlyLight row;
 		if (fread(&row, sizeof row, 1, file) != 1)
 			return "it ends too early";
-		map->lights[i] = (PhotonLight){(uint64_t)row.paths, row.parameter_area, row.dimensions};
+		map->lights[i] = (PhotonLight){(uint64_t)row.paths, row.parameter_area,
+					       row.dimensions};
 	}
 	return NULL;
 }
@@ -159,10 +174,12 @@ static const char *read_rows(PhotonMap *map, FILE *file)
 static const char *read_all(PhotonMap *map, FILE *file)
 {
 	unsigned photons, lights;
-	if (!expect_lines(file, "ply\nformat binary_little_endian 1.0\ncomment photon map of cognac\n") ||
-	    !expect_count(file, "element vertex %u\n", &photons) || !expect_lines(file, photon_properties) ||
-	    !expect_count(file, "element light %u\n", &lights) || !expect_lines(file, light_properties) ||
-	    !expect_lines(file, "end_header\n"))
+	if (!expect_lines(file,
+			  "ply\nformat binary_little_endian 1.0\ncomment photon map of cognac\n") ||
+	    !expect_count(file, "element vertex %u\n", &photons) ||
+	    !expect_lines(file, photon_properties) ||
+	    !expect_count(file, "element light %u\n", &lights) ||
+	    !expect_lines(file, light_properties) || !expect_lines(file, "end_header\n"))
 		return "it is no photon map of this program";
 	if (lights > UINT16_MAX)
 		return "it holds too many lights";

@@ -115,8 +115,9 @@ static void put(float to[3], Vec3 v)
 /* Onto the surface, or back to where the photon was if there is none. */
 static void project(const RelaxSet *set, const RelaxPoint *point, float length, Step *step)
 {
-	RelaxPlace place = {point->object, vec3(step->position[0], step->position[1], step->position[2]),
-	                    vec3(step->normal[0], step->normal[1], step->normal[2])};
+	RelaxPlace place = {point->object,
+			    vec3(step->position[0], step->position[1], step->position[2]),
+			    vec3(step->normal[0], step->normal[1], step->normal[2])};
 	if (!set->surfaces->project(set->surfaces->data, &place, length)) {
 		stay(point, step);
 		return;
@@ -196,8 +197,10 @@ static void note_movement(const RelaxSet *set, const PhotonMap *map, RelaxStatis
 {
 	double sum = 0, freedom = 0;
 	for (uint32_t i = 0; i < set->count; i++) {
-		const float *p = set->points[i].position, *q = map->photons[set->points[i].photon].position;
-		sum += sqrt(pow((double)p[0] - q[0], 2) + pow((double)p[1] - q[1], 2) + pow((double)p[2] - q[2], 2));
+		const float *p = set->points[i].position,
+			    *q = map->photons[set->points[i].photon].position;
+		sum += sqrt(pow((double)p[0] - q[0], 2) + pow((double)p[1] - q[1], 2) +
+			    pow((double)p[2] - q[2], 2));
 		freedom += set->bases ? set->bases[i].v_length : 1;
 	}
 	statistics->moved = set->count;
@@ -208,7 +211,8 @@ static void note_movement(const RelaxSet *set, const PhotonMap *map, RelaxStatis
 /* Photons that took no part move as freely as any. */
 static void note_constraints(const RelaxSet *set, PhotonMap *map)
 {
-	map->constraint = memory_resize(map->constraint, sizeof *map->constraint * ((size_t)map->count + 1));
+	map->constraint = memory_resize(map->constraint,
+					sizeof *map->constraint * ((size_t)map->count + 1));
 	for (uint32_t i = 0; i < map->count; i++)
 		map->constraint[i] = 1;
 	for (uint32_t i = 0; i < set->count; i++)
@@ -219,7 +223,8 @@ static void note_constraints(const RelaxSet *set, PhotonMap *map)
 static Relaxation sensible(Relaxation s)
 {
 	s.neighbors = s.neighbors < 3 ? 3 : s.neighbors < 1000 ? s.neighbors : 1000;
-	s.repulsion_neighbors = s.repulsion_neighbors < RELAX_MOST ? s.repulsion_neighbors : RELAX_MOST;
+	s.repulsion_neighbors = s.repulsion_neighbors < RELAX_MOST ? s.repulsion_neighbors
+								   : RELAX_MOST;
 	s.repulsion_neighbors = s.repulsion_neighbors > 1 ? s.repulsion_neighbors : 1;
 	s.range = s.range > 0 ? s.range : 3;
 	return s;
@@ -235,13 +240,15 @@ static void relax_points(RelaxSet *set, const Relaxation *settings, RelaxStatist
 		iterate(set, settings, RELAX_PARAMETER, settings->parameter_iterations);
 		iterate(set, settings, RELAX_WORLD, settings->world_iterations);
 	} else {
-		iterate(set, settings, RELAX_WORLD, settings->parameter_iterations + settings->world_iterations);
+		iterate(set, settings, RELAX_WORLD,
+			settings->parameter_iterations + settings->world_iterations);
 	}
 	statistics->feature_seconds = detected - start;
 	statistics->seconds = clock_wall() - detected;
 }
 
-bool photon_relax(PhotonMap *map, const Relaxation *settings, const RelaxSurfaces *surfaces, RelaxStatistics *statistics)
+bool photon_relax(PhotonMap *map, const Relaxation *settings, const RelaxSurfaces *surfaces,
+		  RelaxStatistics *statistics)
 {
 	RelaxStatistics own;
 	RelaxSet set;

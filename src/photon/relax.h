@@ -46,14 +46,16 @@ typedef struct RelaxStatistics {
 	double feature_seconds;  /* constraints, trees included */
 	double seconds;          /* iterations, trees included */
 	double mean_movement;    /* between a photon's first and last place, scene units */
-	double mean_constraint;  /* length of v_b: 1 moves freely, 0 not at all across the feature; plain: 1 */
+	double mean_constraint; /* length of v_b: 1 moves freely, 0 not at all across the feature;
+				   plain: 1 */
 } RelaxStatistics;
 
 /*
  * Moves the photons; the tree of the map is dropped. Constrained, map->constraint is filled in.
  * False when there was nothing to do: switched off, or no photons. statistics may be NULL.
  */
-bool photon_relax(PhotonMap *map, const Relaxation *settings, const RelaxSurfaces *surfaces, RelaxStatistics *statistics);
+bool photon_relax(PhotonMap *map, const Relaxation *settings, const RelaxSurfaces *surfaces,
+		  RelaxStatistics *statistics);
 
 /* The same with a scene's settings, surfaces and `relaxation off` objects. */
 bool photon_relax_scene(PhotonMap *map, const Scene *scene, RelaxStatistics *statistics);

@@ -32,7 +32,8 @@ static bool project_on_scene(void *data, RelaxPlace *place, double step)
 {
 	const Scene *scene = data;
 	double reach = REACH * step + 16 * shade_epsilon(place->position);
-	Ray ray = {vec3_mad(place->position, reach, place->normal), vec3_neg(place->normal), 0, 2 * reach};
+	Ray ray = {vec3_mad(place->position, reach, place->normal), vec3_neg(place->normal), 0,
+		   2 * reach};
 	Hit hit;
 	ShadePoint point;
 	if (!accel_nearest(scene->accel, &ray, accept_object, place, &hit))

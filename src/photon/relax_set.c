@@ -12,9 +12,11 @@
 
 static bool takes_part(const Photon *photon, const RelaxSurfaces *surfaces)
 {
-	if (surfaces->fixed && photon->object < surfaces->fixed_count && surfaces->fixed[photon->object])
+	if (surfaces->fixed && photon->object < surfaces->fixed_count &&
+	    surfaces->fixed[photon->object])
 		return false;
-	return isfinite(photon->position[0]) && isfinite(photon->position[1]) && isfinite(photon->position[2]);
+	return isfinite(photon->position[0]) && isfinite(photon->position[1]) &&
+	       isfinite(photon->position[2]);
 }
 
 static uint16_t sheet_of(const Photon *photon)
@@ -65,7 +67,8 @@ static void settle_normals(RelaxSet *set, uint32_t first, uint32_t end, void *da
 
 void relax_set_init(RelaxSet *set, const PhotonMap *map, const RelaxSurfaces *surfaces)
 {
-	*set = (RelaxSet){.points = memory_alloc(sizeof(RelaxPoint) * ((size_t)map->count + 1)), .surfaces = surfaces};
+	*set = (RelaxSet){.points = memory_alloc(sizeof(RelaxPoint) * ((size_t)map->count + 1)),
+			  .surfaces = surfaces};
 	for (uint32_t i = 0; i < map->count; i++) {
 		if (!takes_part(&map->photons[i], surfaces))
 			continue;
@@ -92,7 +95,8 @@ void relax_set_store(const RelaxSet *set, PhotonMap *map)
 		Photon *photon = &map->photons[point->photon];
 		memcpy(photon->position, point->position, sizeof photon->position);
 		if (set->surfaces->project)
-			photon_set_normal(photon, vec3(point->normal[0], point->normal[1], point->normal[2]));
+			photon_set_normal(
+				photon, vec3(point->normal[0], point->normal[1], point->normal[2]));
 	}
 }
 
@@ -125,7 +129,8 @@ void relax_set_each(RelaxSet *set, RelaxRun *run, void *data)
 PhotonTree *relax_set_tree(const RelaxSet *set, RelaxSpace space)
 {
 	const RelaxPoint *points = set->points;
-	TreePoints tree = {.position = points->position, .count = set->count, .stride = sizeof *points};
+	TreePoints tree = {
+		.position = points->position, .count = set->count, .stride = sizeof *points};
 	if (space == RELAX_PARAMETER || set->objects) {
 		tree.emitter = points->emitter;
 		tree.light = space == RELAX_PARAMETER ? &points->sheet : &points->object;
@@ -137,8 +142,9 @@ bool relax_set_range(const RelaxSet *set, RelaxSpace space, uint32_t point, Emit
 {
 	const RelaxPoint *p = &set->points[point];
 	bool parameter = space == RELAX_PARAMETER;
-	*range = (EmitterRange){{p->emitter[0], p->emitter[1], p->emitter[2]}, parameter ? p->range2 : INFINITY,
-	                        parameter ? p->sheet : p->object};
+	*range = (EmitterRange){{p->emitter[0], p->emitter[1], p->emitter[2]},
+				parameter ? p->range2 : INFINITY,
+				parameter ? p->sheet : p->object};
 	return parameter || set->objects;
 }
 
@@ -153,7 +159,8 @@ static const float SAME_SIDE = 0.7f;
  */
 static bool repels(const RelaxPoint *a, const RelaxPoint *b)
 {
-	float along = a->normal[0] * b->normal[0] + a->normal[1] * b->normal[1] + a->normal[2] * b->normal[2];
+	float along = a->normal[0] * b->normal[0] + a->normal[1] * b->normal[1] +
+		      a->normal[2] * b->normal[2];
 	return along >= SAME_SIDE && a->gray <= 2 * b->gray && b->gray <= 2 * a->gray;
 }
 
@@ -162,7 +169,8 @@ static void drop_farthest(Neighbor *near, int *count)
 	int worst = 0;
 	for (int i = 1; i < *count; i++) {
 		if (near[i].distance2 > near[worst].distance2 ||
-		    (near[i].distance2 == near[worst].distance2 && near[i].index > near[worst].index))
+		    (near[i].distance2 == near[worst].distance2 &&
+		     near[i].index > near[worst].index))
 			worst = i;
 	}
 	near[worst] = near[--*count];
@@ -175,13 +183,16 @@ typedef struct FillJob {
 } FillJob;
 
 /* The neighbours among `asked` nearest that repel the point; *met: how many were found at all. */
-static int find_repelling(const RelaxSet *set, const FillJob *job, uint32_t i, int asked, Neighbor *near, int *met)
+static int find_repelling(const RelaxSet *set, const FillJob *job, uint32_t i, int asked,
+			  Neighbor *near, int *met)
 {
 	const RelaxPoint *point = &set->points[i];
 	EmitterRange range;
 	bool ranged = relax_set_range(set, job->space, i, &range);
-	NearestQuery query = {{point->position[0], point->position[1], point->position[2]}, INFINITY, asked,
-	                      ranged ? &range : NULL};
+	NearestQuery query = {{point->position[0], point->position[1], point->position[2]},
+			      INFINITY,
+			      asked,
+			      ranged ? &range : NULL};
 	*met = photon_tree_nearest(job->tree, &query, near);
 	int kept = 0;
 	for (int j = 0; j < *met; j++) {
@@ -217,7 +228,8 @@ void relax_lists_fill(RelaxSet *set, RelaxSpace space, int most)
 	if (lists->most != most || !lists->index) {
 		free(lists->index);
 		free(lists->counts);
-		lists->index = memory_alloc(sizeof *lists->index * (size_t)most * ((size_t)set->count + 1));
+		lists->index = memory_alloc(sizeof *lists->index * (size_t)most *
+					    ((size_t)set->count + 1));
 		lists->counts = memory_alloc((size_t)set->count + 1);
 		lists->most = most;
 	}

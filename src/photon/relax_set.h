@@ -14,7 +14,8 @@ typedef struct RelaxPoint {
 	float range2;      /* square of the search range in parameter space, SJ13 eq. 1 */
 	float normal[3];
 	uint32_t photon;   /* number in the map */
-	uint16_t sheet;    /* hash of light, object and way: photons of one sheet of the caustic have the same */
+	uint16_t sheet; /* hash of light, object and way: photons of one sheet of the caustic have
+			   the same */
 	uint16_t object;
 } RelaxPoint;
 

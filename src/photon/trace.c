@@ -7,7 +7,8 @@
 #include "base/parallel.h"
 #include "photon/path.h"
 
-/* Paths are traced in chunks; each chunk has a buffer of its own, and buffers are joined in order. */
+/* Paths are traced in chunks; each chunk has a buffer of its own, and buffers are joined in order.
+ */
 enum { CHUNK = 2048 };
 
 typedef struct Chunk {
@@ -46,7 +47,8 @@ static void cut_chunks(Job *job, const PhotonAims *aims, Arena *arena)
 		const PhotonAim *aim = &aims->aims[a];
 		for (uint64_t first = 0; first < aim->paths; first += CHUNK) {
 			uint64_t left = aim->paths - first;
-			job->chunks[job->count++] = (Chunk){.aim = aim, .first = first, .count = left < CHUNK ? left : CHUNK};
+			job->chunks[job->count++] = (Chunk){
+				.aim = aim, .first = first, .count = left < CHUNK ? left : CHUNK};
 		}
 	}
 }
@@ -74,7 +76,8 @@ static PhotonMap *join_chunks(const Job *job, PhotonStatistics *statistics)
 	for (long i = 0; i < job->count; i++) {
 		const PhotonBuffer *buffer = &job->chunks[i].buffer;
 		if (buffer->count)
-			memcpy(map->photons + map->count, buffer->photons, sizeof(Photon) * buffer->count);
+			memcpy(map->photons + map->count, buffer->photons,
+			       sizeof(Photon) * buffer->count);
 		map->count += buffer->count;
 		add_statistics(statistics, &buffer->statistics);
 	}
@@ -90,12 +93,14 @@ static void note_lights(PhotonMap *map, const Scene *scene, const PhotonAims *ai
 		const PhotonAim *aim = &aims->aims[a];
 		PhotonLight *light = &map->lights[aim->light];
 		light->paths += aim->paths;
-		light->parameter_area += emission_region(&scene->lights[aim->light], &aim->ball).measure;
+		light->parameter_area += emission_region(&scene->lights[aim->light], &aim->ball)
+						 .measure;
 		light->parameter_dimensions = emission_dimensions(&scene->lights[aim->light]);
 	}
 }
 
-PhotonMap *photon_trace(const Scene *scene, const PhotonTraceOptions *options, PhotonStatistics *statistics)
+PhotonMap *photon_trace(const Scene *scene, const PhotonTraceOptions *options,
+			PhotonStatistics *statistics)
 {
 	PhotonStatistics own = {0};
 	double wall = clock_wall(), cpu = clock_cpu();

@@ -43,8 +43,8 @@ int photon_tree_nearest(const PhotonTree *tree, const NearestQuery *query, Neigh
 	return tree_nearest_plain(tree, query, out);
 }
 
-void photon_tree_within(const PhotonTree *tree, const float center[3], float radius, TreeVisit *visit,
-                        void *data)
+void photon_tree_within(const PhotonTree *tree, const float center[3], float radius,
+			TreeVisit *visit, void *data)
 {
 	WithinQuery query = {{center[0], center[1], center[2]}, radius};
 #ifdef TREE_HAS_AVX2

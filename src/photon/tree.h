@@ -21,10 +21,12 @@ typedef struct PhotonTree PhotonTree;
 typedef struct TreePoints {
 	const float *position; /* count points of three floats, stride bytes apart */
 	const float *emitter;  /* the same with emitter coordinates, unused ones 0; NULL: none */
-	const uint16_t *light; /* emitter each comes from, stride bytes apart; NULL with emitter NULL */
+	const uint16_t
+		*light; /* emitter each comes from, stride bytes apart; NULL with emitter NULL */
 	uint32_t count, stride;
-	float emitter_weight;  /* how much an emitter dimension's extent counts beside a world one's when
-	                        * the build chooses what to split: 0: never by emitter coordinates */
+	float emitter_weight; /* how much an emitter dimension's extent counts beside a world one's
+			       * when the build chooses what to split: 0: never by emitter
+			       * coordinates */
 } TreePoints;
 
 typedef struct Neighbor {
@@ -56,8 +58,8 @@ float photon_tree_farthest(const Neighbor *found, int count);
 
 /* Hands over every point nearer than the radius, some at a time. */
 typedef void TreeVisit(void *data, const Neighbor *found, int count);
-void photon_tree_within(const PhotonTree *tree, const float center[3], float radius, TreeVisit *visit,
-                        void *data);
+void photon_tree_within(const PhotonTree *tree, const float center[3], float radius,
+			TreeVisit *visit, void *data);
 
 /* The order in which points follow a space-filling curve (Morton 1966): order gets count
  * indices; ties by index. */

@@ -16,7 +16,8 @@ INLINE void eight_store(float *at, Eight a) { _mm256_storeu_ps(at, a); }
 
 INLINE Eight square_sum(Eight x, Eight y, Eight z)
 {
-	return _mm256_add_ps(_mm256_add_ps(_mm256_mul_ps(x, x), _mm256_mul_ps(y, y)), _mm256_mul_ps(z, z));
+	return _mm256_add_ps(_mm256_add_ps(_mm256_mul_ps(x, x), _mm256_mul_ps(y, y)),
+			     _mm256_mul_ps(z, z));
 }
 
 INLINE Eight eight_leaf(const TreeLeaf *leaf, const float p[3])
@@ -36,7 +37,8 @@ INLINE Eight outside(const TreeBoxes *boxes, int axis, float p)
 
 INLINE Eight eight_box(const TreeBoxes *boxes, const float p[3])
 {
-	return square_sum(outside(boxes, 0, p[0]), outside(boxes, 1, p[1]), outside(boxes, 2, p[2]));
+	return square_sum(outside(boxes, 0, p[0]), outside(boxes, 1, p[1]),
+			  outside(boxes, 2, p[2]));
 }
 
 INLINE unsigned eight_less(Eight a, float bound)
@@ -73,7 +75,8 @@ INLINE unsigned eight_lights(const uint16_t *lights, uint16_t light)
 INLINE __m256i packed_lanes(unsigned mask)
 {
 	uint64_t bytes = _pdep_u64(mask, 0x0101010101010101u) * 0xff;
-	return _mm256_cvtepu8_epi32(_mm_cvtsi64_si128((long long)_pext_u64(0x0706050403020100u, bytes)));
+	return _mm256_cvtepu8_epi32(
+		_mm_cvtsi64_si128((long long)_pext_u64(0x0706050403020100u, bytes)));
 }
 
 INLINE void eight_compact(float *distance2, uint32_t *index, Eight d2, const uint32_t *from,
@@ -102,7 +105,8 @@ INLINE int eight_count(const float *values, int count, float bound)
 		Eight less = _mm256_cmp_ps(_mm256_loadu_ps(values + i), least, _CMP_LT_OQ);
 		lanes = _mm256_sub_epi32(lanes, _mm256_castps_si256(less));
 	}
-	__m128i half = _mm_add_epi32(_mm256_castsi256_si128(lanes), _mm256_extracti128_si256(lanes, 1));
+	__m128i half = _mm_add_epi32(_mm256_castsi256_si128(lanes),
+				     _mm256_extracti128_si256(lanes, 1));
 	half = _mm_add_epi32(half, _mm_shuffle_epi32(half, _MM_SHUFFLE(1, 0, 3, 2)));
 	return _mm_cvtsi128_si32(half) + _mm_extract_epi32(half, 1);
 }
@@ -113,7 +117,8 @@ INLINE float eight_farthest(const float *values, int count)
 	Eight most = _mm256_setzero_ps(), infinite = _mm256_set1_ps(INFINITY);
 	for (int i = 0; i < count; i += TREE_WIDTH) {
 		Eight a = _mm256_loadu_ps(values + i);
-		most = _mm256_max_ps(most, _mm256_and_ps(a, _mm256_cmp_ps(a, infinite, _CMP_LT_OQ)));
+		most = _mm256_max_ps(most,
+				     _mm256_and_ps(a, _mm256_cmp_ps(a, infinite, _CMP_LT_OQ)));
 	}
 	Eight negative = turned_min(_mm256_sub_ps(_mm256_setzero_ps(), most));
 	return -_mm256_cvtss_f32(negative);

@@ -53,7 +53,8 @@ static void fill_leaves(PhotonTree *tree, const TreePoints *points, const TreeIt
 	for (uint32_t i = 0; i < slots; i++) {
 		TreeLeaf *leaf = &tree->leaves[i / TREE_WIDTH];
 		bool there = i < points->count;
-		fill_slot(leaf, i % TREE_WIDTH, there ? &order->items[(size_t)order->words * i] : NULL);
+		fill_slot(leaf, i % TREE_WIDTH,
+			  there ? &order->items[(size_t)order->words * i] : NULL);
 		leaf->index[i % TREE_WIDTH] = there ? number_of(order, i) : 0;
 	}
 }
@@ -68,7 +69,8 @@ static void fill_emitters(PhotonTree *tree, const TreePoints *points, const Tree
 		uint32_t number = there ? number_of(order, i) : 0;
 		fill_slot(&tree->emitters[i / TREE_WIDTH], i % TREE_WIDTH,
 		          there ? row(points->emitter, points->stride, number) : NULL);
-		memcpy(&tree->lights[i], (const char *)points->light + (size_t)points->stride * number,
+		memcpy(&tree->lights[i],
+		       (const char *)points->light + (size_t)points->stride * number,
 		       sizeof *tree->lights);
 	}
 }
@@ -104,7 +106,8 @@ static TreeBoxes *boxes_of_leaves(const TreeLeaf *leaves, uint32_t leaf_count, u
 		clear_boxes(&boxes[n]);
 	for (uint32_t n = 0; n < leaf_count; n++) {
 		for (int k = 0; k < 3; k++)
-			cover(&boxes[n / TREE_WIDTH], (int)(n % TREE_WIDTH), k, leaves[n].at[k], leaves[n].at[k]);
+			cover(&boxes[n / TREE_WIDTH], (int)(n % TREE_WIDTH), k, leaves[n].at[k],
+			      leaves[n].at[k]);
 	}
 	return boxes;
 }
@@ -116,7 +119,8 @@ static TreeBoxes *boxes_of_nodes(const TreeBoxes *nodes, uint32_t node_count, ui
 		clear_boxes(&boxes[n]);
 	for (uint32_t n = 0; n < node_count; n++) {
 		for (int k = 0; k < 3; k++)
-			cover(&boxes[n / TREE_WIDTH], (int)(n % TREE_WIDTH), k, nodes[n].lo[k], nodes[n].hi[k]);
+			cover(&boxes[n / TREE_WIDTH], (int)(n % TREE_WIDTH), k, nodes[n].lo[k],
+			      nodes[n].hi[k]);
 	}
 	return boxes;
 }
@@ -132,8 +136,10 @@ static void build_levels(PhotonTree *tree)
 		level->boxes = first ? boxes_of_leaves(tree->leaves, below, level->count)
 		                     : boxes_of_nodes(last->boxes, below, level->count);
 		if (tree->emitters)
-			level->emitter_boxes = first ? boxes_of_leaves(tree->emitters, below, level->count)
-			                             : boxes_of_nodes(last->emitter_boxes, below, level->count);
+			level->emitter_boxes = first ? boxes_of_leaves(tree->emitters, below,
+								       level->count)
+						     : boxes_of_nodes(last->emitter_boxes, below,
+								      level->count);
 		below = level->count;
 	} while (below > 1);
 }

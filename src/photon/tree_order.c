@@ -207,7 +207,8 @@ static void copy_points(const Order *o, const TreePoints *points)
 		float *item = o->items + (size_t)o->words * i;
 		memcpy(item, row(points->position, points->stride, i), 3 * sizeof(float));
 		if (o->dimensions > 3) {
-			memcpy(item + 3, row(points->emitter, points->stride, i), 3 * sizeof(float));
+			memcpy(item + 3, row(points->emitter, points->stride, i),
+			       3 * sizeof(float));
 			item[6] = 0;
 		}
 		memcpy(&item[o->words - 1], &i, sizeof i);

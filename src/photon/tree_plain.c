@@ -25,7 +25,8 @@ INLINE Eight eight_leaf(const TreeLeaf *leaf, const float p[3])
 {
 	Eight d2;
 	for (int i = 0; i < TREE_WIDTH; i++) {
-		float dx = leaf->at[0][i] - p[0], dy = leaf->at[1][i] - p[1], dz = leaf->at[2][i] - p[2];
+		float dx = leaf->at[0][i] - p[0], dy = leaf->at[1][i] - p[1],
+		      dz = leaf->at[2][i] - p[2];
 		d2.at[i] = dx * dx + dy * dy + dz * dz;
 	}
 	return d2;

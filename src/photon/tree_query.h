@@ -2,13 +2,12 @@
  * The queries' bodies, compiled once for each instruction set: a file that includes this defines,
  * on eight floats at a time (type Eight),
  *
- *   eight_leaf, eight_box     squared distances of a leaf's points, of a node's children, to a point
- *   eight_less, eight_most    bit mask of those less than, or at most, a bound
- *   eight_least               which is the least
- *   eight_lights              bit mask of the lights that are the given one
- *   eight_compact             stores those of a mask, packed, with their indices; writes eight places
- *   eight_pairs               the same as neighbours
- *   eight_count               how many of an array's values are less than a bound
+ *   eight_leaf, eight_box     squared distances of a leaf's points, of a node's children, to a
+ * point eight_less, eight_most    bit mask of those less than, or at most, a bound eight_least
+ * which is the least eight_lights              bit mask of the lights that are the given one
+ *   eight_compact             stores those of a mask, packed, with their indices; writes eight
+ * places eight_pairs               the same as neighbours eight_count               how many of an
+ * array's values are less than a bound
  *
  * and QUERY_NEAREST and QUERY_WITHIN, the names of what this defines.
  */
@@ -80,7 +79,8 @@ INLINE float find_bound(const Candidates *c, int spare)
 	int below_lo = 0, below_hi = c->count;
 	for (int step = 0; hi - lo > 1 && below_hi > c->wanted + spare; step++) {
 		float share = (c->wanted + 0.5f * spare - below_lo) / (below_hi - below_lo);
-		/* Proportion alone can creep: every third step halves, by value and then by bits. */
+		/* Proportion alone can creep: every third step halves, by value and then by bits.
+		 */
 		uint32_t middle = lo + (hi - lo) / 2;
 		if (step < 24)
 			middle = guess_between(lo, hi, step % 3 == 2 ? 0.5f : share);
@@ -105,7 +105,8 @@ static void break_ties(Candidates *c)
 	while (c->count > c->wanted) {
 		int worst = -1;
 		for (int i = 0; i < c->count; i++) {
-			if (c->distance2[i] == farthest && (worst < 0 || c->index[i] > c->index[worst]))
+			if (c->distance2[i] == farthest &&
+			    (worst < 0 || c->index[i] > c->index[worst]))
 				worst = i;
 		}
 		c->count--;
@@ -165,7 +166,8 @@ typedef struct Stack {
 } Stack;
 
 /* Pushes the children of a mask, the nearest last. */
-INLINE void push_children(const PhotonTree *tree, Stack *stack, Pending node, Eight d2, unsigned mask)
+INLINE void push_children(const PhotonTree *tree, Stack *stack, Pending node, Eight d2,
+			  unsigned mask)
 {
 	float distance2[TREE_WIDTH];
 	int nearest = eight_least(d2);
@@ -183,17 +185,20 @@ INLINE void push_children(const PhotonTree *tree, Stack *stack, Pending node, Ei
 /* The points of a leaf that match the emitter's range. */
 INLINE unsigned leaf_matches(const PhotonTree *tree, uint32_t leaf, const EmitterRange *range)
 {
-	unsigned near = eight_most(eight_leaf(&tree->emitters[leaf], range->center), range->radius2);
+	unsigned near = eight_most(eight_leaf(&tree->emitters[leaf], range->center),
+				   range->radius2);
 	return near & eight_lights(tree->lights + (size_t)leaf * TREE_WIDTH, range->light);
 }
 
-INLINE void gather_leaf(const PhotonTree *tree, const NearestQuery *query, uint32_t leaf, Candidates *c)
+INLINE void gather_leaf(const PhotonTree *tree, const NearestQuery *query, uint32_t leaf,
+			Candidates *c)
 {
 	Eight d2 = eight_leaf(&tree->leaves[leaf], query->center);
 	unsigned mask = eight_less(d2, c->bound);
 	if (query->range)
 		mask &= leaf_matches(tree, leaf, query->range);
-	eight_compact(c->distance2 + c->count, c->index + c->count, d2, tree->leaves[leaf].index, mask);
+	eight_compact(c->distance2 + c->count, c->index + c->count, d2, tree->leaves[leaf].index,
+		      mask);
 	c->count += __builtin_popcount(mask);
 	if (c->count + TREE_WIDTH > c->capacity)
 		tighten(c, c->wanted / 8 + 1);
@@ -229,7 +234,8 @@ INLINE void walk_nearest(const PhotonTree *tree, const NearestQuery *query, Cand
 		}
 		prefetch_leaves(tree, node.node * TREE_WIDTH, mask);
 		for (; mask; mask &= mask - 1)
-			gather_leaf(tree, query, node.node * TREE_WIDTH + (unsigned)__builtin_ctz(mask), c);
+			gather_leaf(tree, query,
+				    node.node * TREE_WIDTH + (unsigned)__builtin_ctz(mask), c);
 	}
 }
 
@@ -289,7 +295,8 @@ INLINE void walk_within(Within *w)
 		unsigned mask = eight_less(d2, w->radius2);
 		if (node.level > 1) {
 			for (; mask; mask &= mask - 1)
-				stack.nodes[stack.count++] = child_of(tree, &node, __builtin_ctz(mask), 0);
+				stack.nodes[stack.count++] = child_of(tree, &node,
+								      __builtin_ctz(mask), 0);
 			continue;
 		}
 		prefetch_leaves(tree, node.node * TREE_WIDTH, mask);

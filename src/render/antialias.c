@@ -6,8 +6,9 @@
 
 #include "base/arena.h"
 
-/* Sample numbers: a pixel's first sample is number 0 of its block, the grid's follow. Corner samples, shared by pixels, are
- * numbered by their place on the image's finest grid, beyond all blocks. */
+/* Sample numbers: a pixel's first sample is number 0 of its block, the grid's follow. Corner
+ * samples, shared by pixels, are numbered by their place on the image's finest grid, beyond all
+ * blocks. */
 static const uint64_t SAMPLES_A_PIXEL = 1u << 7;
 static const uint64_t CORNER_NUMBERS = (uint64_t)1 << 62;
 
@@ -23,7 +24,8 @@ bool antialias_differ(const RenderOptions *options, const FilmPixel *a, const Fi
 	if (memcmp(a->v, b->v, 4 * sizeof(float)) == 0)
 		return options->threshold < 0;
 	for (int i = 0; i < 4; i++)
-		sum += fabs(shown(a->v[i], i < 3 ? options->gamma : 1) - shown(b->v[i], i < 3 ? options->gamma : 1));
+		sum += fabs(shown(a->v[i], i < 3 ? options->gamma : 1) -
+			    shown(b->v[i], i < 3 ? options->gamma : 1));
 	return sum > options->threshold;
 }
 
@@ -31,8 +33,12 @@ static SamplePlace pixel_place(const AntialiasPixel *pixel)
 {
 	int width = film_width(pixel->film), height = film_height(pixel->film);
 	return (SamplePlace){
-		.x = pixel->x, .y = pixel->y, .width = width, .height = height,
-		.number = ((uint64_t)pixel->y * (uint64_t)width + (uint64_t)pixel->x) * SAMPLES_A_PIXEL,
+		.x = pixel->x,
+		.y = pixel->y,
+		.width = width,
+		.height = height,
+		.number = ((uint64_t)pixel->y * (uint64_t)width + (uint64_t)pixel->x) *
+			  SAMPLES_A_PIXEL,
 	};
 }
 
@@ -49,7 +55,8 @@ void antialias_centre(const AntialiasPixel *pixel, FilmPixel *out)
 static double jitter(const RenderOptions *options, uint64_t number, int axis)
 {
 	/* Dimensions far from those that the ray's own sampler counts through. */
-	return (random_uniform(options->seed, number, ((uint64_t)1 << 32) + (uint64_t)axis) - 0.5) * options->jitter;
+	return (random_uniform(options->seed, number, ((uint64_t)1 << 32) + (uint64_t)axis) - 0.5) *
+	       options->jitter;
 }
 
 void antialias_grid(const AntialiasPixel *pixel, const FilmPixel *first, FilmPixel *out)
@@ -104,7 +111,10 @@ static void cache_init(SampleCache *cache, int side)
 CornerGrid *corner_grid_create(int depth, int tile)
 {
 	CornerGrid *grid = memory_alloc(sizeof *grid);
-	cache_init(&grid->pixel, (1 << (depth - 1)) + 1); /* depth 1 is the corners alone: as measured, not as the manual says */
+	cache_init(
+		&grid->pixel,
+		(1 << (depth - 1)) +
+			1); /* depth 1 is the corners alone: as measured, not as the manual says */
 	cache_init(&grid->tile, tile + 1);
 	return grid;
 }
@@ -127,13 +137,16 @@ void corner_grid_start_tile(CornerGrid *grid, int x, int y)
 	grid->tile_y = y;
 }
 
-/* A sample's number, and so its jitter, is that of the same place seen from a neighbouring pixel. */
-static void trace_corner(const AntialiasPixel *pixel, int cells, int column, int row, FilmPixel *out)
+/* A sample's number, and so its jitter, is that of the same place seen from a neighbouring pixel.
+ */
+static void trace_corner(const AntialiasPixel *pixel, int cells, int column, int row,
+			 FilmPixel *out)
 {
 	SamplePlace place = pixel_place(pixel);
 	uint64_t across = (uint64_t)pixel->x * (uint64_t)cells + (uint64_t)column;
 	uint64_t down = (uint64_t)pixel->y * (uint64_t)cells + (uint64_t)row;
-	place.number = CORNER_NUMBERS + down * ((uint64_t)place.width * (uint64_t)cells + 1) + across;
+	place.number = CORNER_NUMBERS + down * ((uint64_t)place.width * (uint64_t)cells + 1) +
+		       across;
 	place.x += (column + jitter(pixel->options, place.number, 0)) / cells;
 	place.y += (row + jitter(pixel->options, place.number, 1)) / cells;
 	place.first_hit = pixel->first_hit && column % cells == 0 && row % cells == 0;
@@ -141,7 +154,8 @@ static void trace_corner(const AntialiasPixel *pixel, int cells, int column, int
 }
 
 /* The sample at a place of the pixel's grid. */
-static const FilmPixel *corner_sample(const AntialiasPixel *pixel, CornerGrid *grid, int column, int row)
+static const FilmPixel *corner_sample(const AntialiasPixel *pixel, CornerGrid *grid, int column,
+				      int row)
 {
 	int cells = grid->pixel.side - 1;
 	SampleCache *cache = &grid->pixel;
@@ -163,7 +177,8 @@ typedef struct Square {
 	int column, row, size; /* in cells of the grid */
 } Square;
 
-static void square_color(const AntialiasPixel *pixel, CornerGrid *grid, Square square, double out[FILM_LIGHT_CHANNELS])
+static void square_color(const AntialiasPixel *pixel, CornerGrid *grid, Square square,
+			 double out[FILM_LIGHT_CHANNELS])
 {
 	const FilmPixel *corner[4];
 	for (int i = 0; i < 4; i++)
@@ -179,8 +194,10 @@ static void square_color(const AntialiasPixel *pixel, CornerGrid *grid, Square s
 		double part[FILM_LIGHT_CHANNELS];
 		int half = square.size / 2;
 		if (half && differ)
-			square_color(pixel, grid, (Square){square.column + (i & 1) * half, square.row + (i >> 1) * half, half},
-			             part);
+			square_color(pixel, grid,
+				     (Square){square.column + (i & 1) * half,
+					      square.row + (i >> 1) * half, half},
+				     part);
 		for (int k = 0; k < FILM_LIGHT_CHANNELS; k++)
 			out[k] += (half && differ ? part[k] : corner[i]->v[k]) / 4;
 	}

@@ -4,7 +4,8 @@
 
 #include "render/sample.h"
 
-/* True when two colours differ by more than the threshold as an eye sees them (gamma applied, clipped to 0..1). */
+/* True when two colours differ by more than the threshold as an eye sees them (gamma applied,
+ * clipped to 0..1). */
 bool antialias_differ(const RenderOptions *options, const FilmPixel *a, const FilmPixel *b);
 
 typedef struct AntialiasPixel {
@@ -18,10 +19,12 @@ typedef struct AntialiasPixel {
 /* The sample at the pixel's centre. */
 void antialias_centre(const AntialiasPixel *pixel, FilmPixel *out);
 
-/* Method 1: a grid of depth x depth samples, jittered, beside the first at the centre, whose other layers are kept. */
+/* Method 1: a grid of depth x depth samples, jittered, beside the first at the centre, whose other
+ * layers are kept. */
 void antialias_grid(const AntialiasPixel *pixel, const FilmPixel *first, FilmPixel *out);
 
-/* Method 2: corners first, and parts whose corners differ in four again, at most depth - 1 times. */
+/* Method 2: corners first, and parts whose corners differ in four again, at most depth - 1 times.
+ */
 typedef struct CornerGrid CornerGrid; /* scratch; one for a thread */
 
 CornerGrid *corner_grid_create(int depth, int tile); /* tile: pixels along a tile's edge */

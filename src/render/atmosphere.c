@@ -17,7 +17,8 @@ static float mean(Rgb color)
 /* What the layers of the sky so far let through. */
 typedef struct SkyPassage {
 	Rgb through;  /* of the background, and of a lower layer's light */
-	Rgbft legacy; /* the same as scenes before version 3.7 count it: product of colours, filters, transmits */
+	Rgbft legacy; /* the same as scenes before version 3.7 count it: product of colours,
+			 filters, transmits */
 } SkyPassage;
 
 static void pass_sky(SkyPassage *passage, Rgbft color, bool legacy)
@@ -46,16 +47,19 @@ static Rgb sky_layers(const SkySphere *sky, Vec3 direction, bool legacy, Rgb *th
 	Rgb sum = {0, 0, 0};
 	for (int i = sky->count - 1; i >= 0; i--) {
 		Rgbft color = pigment_color(sky->pigments[i], &at);
-		Rgb own = rgb_scale(rgb_mul(rgbft_rgb(color), sky->emission), 1 - color.filter - color.transmit);
-		sum = rgb_add(sum, rgb_mul(own, layer_share(&passage, i == sky->count - 1, legacy)));
+		Rgb own = rgb_scale(rgb_mul(rgbft_rgb(color), sky->emission),
+				    1 - color.filter - color.transmit);
+		sum = rgb_add(sum,
+			      rgb_mul(own, layer_share(&passage, i == sky->count - 1, legacy)));
 		pass_sky(&passage, color, legacy);
 	}
 	*through = passage.through;
 	return sum;
 }
 
-/* What of the background's colour is seen, as measured: a picture without alpha loses what transmit lets through, though not
- * what filter does; one with alpha loses both, but mirrors show the whole colour. */
+/* What of the background's colour is seen, as measured: a picture without alpha loses what transmit
+ * lets through, though not what filter does; one with alpha loses both, but mirrors show the whole
+ * colour. */
 static float background_share(const Tracer *tracer, const PathRay *path)
 {
 	Rgbft background = tracer->scene->background;
@@ -71,14 +75,16 @@ Seen atmosphere_sky(const Tracer *tracer, const PathRay *path)
 	if (scene->sky_sphere)
 		sum = sky_layers(scene->sky_sphere, path->ray.direction, tracer->legacy, &through);
 	Rgb own = rgb_scale(rgbft_rgb(scene->background), background_share(tracer, path));
-	float transmit = tracer->alpha ? mean(rgb_mul(through, rgbft_transmittance(scene->background))) : 0;
+	float transmit = tracer->alpha
+				 ? mean(rgb_mul(through, rgbft_transmittance(scene->background)))
+				 : 0;
 	return (Seen){.color = rgb_add(sum, rgb_mul(through, own)), .transmit = transmit};
 }
 
 /* ---- fog ---- */
 
-/* Density of ground fog is 1 under its offset and falls as 1/(1 + y^2) above, y in units of fog_alt; this is its mean along a
- * way from y1 to y2, from the integral's arctangent. */
+/* Density of ground fog is 1 under its offset and falls as 1/(1 + y^2) above, y in units of
+ * fog_alt; this is its mean along a way from y1 to y2, from the integral's arctangent. */
 static double ground_mean(double y1, double y2)
 {
 	double low = fmin(y1, y2), high = fmax(y1, y2);
@@ -120,7 +126,8 @@ static void add_fog(const Fog *fog, const Ray *ray, double distance, FogSum *sum
 
 /* ---- rainbow ---- */
 
-/* The share that the rainbow's arc leaves at a direction: 1 inside arc_angle, falling to 0 over falloff_angle. */
+/* The share that the rainbow's arc leaves at a direction: 1 inside arc_angle, falling to 0 over
+ * falloff_angle. */
 static double arc_share(const Rainbow *rainbow, Vec3 direction)
 {
 	Vec3 right = vec3_normalize(vec3_cross(rainbow->up, rainbow->antisolar));
@@ -141,7 +148,8 @@ typedef struct RainbowSum {
 	int count;
 } RainbowSum;
 
-static void add_rainbow(Tracer *tracer, const Rainbow *rainbow, const Ray *ray, double distance, RainbowSum *sum)
+static void add_rainbow(Tracer *tracer, const Rainbow *rainbow, const Ray *ray, double distance,
+			RainbowSum *sum)
 {
 	if (!rainbow->pigment || rainbow->width == 0 || rainbow->distance == 0)
 		return;
@@ -184,7 +192,8 @@ Seen atmosphere_apply(Tracer *tracer, const Ray *ray, double distance, Seen seen
 	for (int i = 0; i < scene->fog_count; i++)
 		add_fog(scene->fogs[i], ray, length, &sum);
 	return (Seen){
-		.color = rgb_add(rgb_mul(seen.color, sum.left), sum.light), .caustic = rgb_mul(seen.caustic, sum.left),
+		.color = rgb_add(rgb_mul(seen.color, sum.left), sum.light),
+		.caustic = rgb_mul(seen.caustic, sum.left),
 		.transmit = seen.transmit * mean(sum.left),
 	};
 }

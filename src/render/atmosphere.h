@@ -1,4 +1,5 @@
-/* What a ray sees where it meets nothing, and what hangs in the air before it: sky, fog, rainbows. */
+/* What a ray sees where it meets nothing, and what hangs in the air before it: sky, fog, rainbows.
+ */
 #ifndef RENDER_ATMOSPHERE_H
 #define RENDER_ATMOSPHERE_H
 
@@ -6,7 +7,8 @@
 
 /* The sky that a ray sees: sky_sphere's pigments, layered, over the background. */
 Seen atmosphere_sky(const Tracer *tracer, const PathRay *path);
-/* What is left of a sight at the given distance (INFINITY: the sky) behind the scene's rainbows and fogs. */
+/* What is left of a sight at the given distance (INFINITY: the sky) behind the scene's rainbows and
+ * fogs. */
 Seen atmosphere_apply(Tracer *tracer, const Ray *ray, double distance, Seen seen);
 
 #endif

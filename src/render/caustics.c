@@ -52,17 +52,23 @@ static void visit_surface(void *data, const Surface *surface)
 		add_row(creation, surface->estimator, surface->estimator);
 }
 
-/* How far emitter coordinates count when the tree is built: enough to keep a light's photons together, too little to spread
- * neighbours in the world over many leaves. */
+/* How far emitter coordinates count when the tree is built: enough to keep a light's photons
+ * together, too little to spread neighbours in the world over many leaves. */
 static const float EMITTER_WEIGHT = 0;
 
-Caustics *caustics_create(const Scene *scene, PhotonMap *map, const CausticOptions *options, Diag *diag)
+Caustics *caustics_create(const Scene *scene, PhotonMap *map, const CausticOptions *options,
+			  Diag *diag)
 {
 	Caustics *caustics = memory_alloc(sizeof *caustics);
 	*caustics = (Caustics){.map = map};
 	photon_map_index(map, EMITTER_WEIGHT);
-	Creation creation = {caustics, {.photons = &scene->settings.photons, .map = map, .radius = options->radius}, diag, false};
-	add_row(&creation, NULL, options->estimator ? options->estimator : &scene->settings.photons.estimator);
+	Creation creation = {
+		caustics,
+		{.photons = &scene->settings.photons, .map = map, .radius = options->radius},
+		diag,
+		false};
+	add_row(&creation, NULL,
+		options->estimator ? options->estimator : &scene->settings.photons.estimator);
 	for (int i = 0; i < scene->shape_count && !options->estimator; i++)
 		shape_visit_surfaces(scene->shapes[i], visit_surface, &creation);
 	if (!creation.failed)
@@ -85,8 +91,9 @@ void caustics_destroy(Caustics *caustics)
 /* ---- gathering ---- */
 
 /*
- * A photon's flux per area has the cosine of its arrival already, which the smooth lobes' value counts once more. Highlights
- * do not vanish at grazing angles as the diffuse lobe does, so the cosine is kept from zero.
+ * A photon's flux per area has the cosine of its arrival already, which the smooth lobes' value
+ * counts once more. Highlights do not vanish at grazing angles as the diffuse lobe does, so the
+ * cosine is kept from zero.
  */
 static Rgb lobes_per_cosine(void *data, Vec3 direction)
 {
@@ -96,7 +103,8 @@ static Rgb lobes_per_cosine(void *data, Vec3 direction)
 	return rgb_scale(bsdf_eval(bsdf, direction, true), (float)(1 / fmax(cosine, least_cosine)));
 }
 
-void caustics_gather(const Caustics *caustics, const LitPoint *at, const Bsdf *bsdf, GatherResult *result)
+void caustics_gather(const Caustics *caustics, const LitPoint *at, const Bsdf *bsdf,
+		     GatherResult *result)
 {
 	*result = (GatherResult){.photons = 0};
 	if (caustics->map->count == 0 || !at->surface->photons_collect || bsdf_is_delta(bsdf))
@@ -106,11 +114,12 @@ void caustics_gather(const Caustics *caustics, const LitPoint *at, const Bsdf *b
 		.position = at->p, .normal = bsdf->geometric, .footprint = at->footprint,
 		.object = (uint16_t)at->surface->id, .both_sides = bsdf_sees_back(bsdf),
 	};
-	estimator_gather(row ? row->estimator : caustics->rows[0].estimator, &point, lobes_per_cosine, (void *)bsdf, result);
+	estimator_gather(row ? row->estimator : caustics->rows[0].estimator, &point,
+			 lobes_per_cosine, (void *)bsdf, result);
 }
 
 bool caustics_replace_shadow(const Caustics *caustics, const Light *light, const Surface *surface)
 {
-	return caustics && surface->photons_target && surface->photons_refraction && light->photons_refraction &&
-	       photon_light_reaches(light, surface);
+	return caustics && surface->photons_target && surface->photons_refraction &&
+	       light->photons_refraction && photon_light_reaches(light, surface);
 }

@@ -1,6 +1,7 @@
 /*
- * Light that came by mirrors and through glass: an indexed photon map, an estimator for the scene and one for each object
- * that asks for its own. Immutable once created; any number of threads may gather.
+ * Light that came by mirrors and through glass: an indexed photon map, an estimator for the scene
+ * and one for each object that asks for its own. Immutable once created; any number of threads may
+ * gather.
  */
 #ifndef RENDER_CAUSTICS_H
 #define RENDER_CAUSTICS_H
@@ -14,13 +15,17 @@ typedef struct CausticOptions {
 } CausticOptions;
 
 /* Indexes the map and takes it over, even on failure. NULL on failure, reported. */
-Caustics *caustics_create(const Scene *scene, PhotonMap *map, const CausticOptions *options, Diag *diag);
+Caustics *caustics_create(const Scene *scene, PhotonMap *map, const CausticOptions *options,
+			  Diag *diag);
 void caustics_destroy(Caustics *caustics); /* NULL is allowed */
 
-/* Caustic light that the surface sends to the viewer; result says how it was found. All zero where nothing collects. */
-void caustics_gather(const Caustics *caustics, const LitPoint *at, const Bsdf *bsdf, GatherResult *result);
+/* Caustic light that the surface sends to the viewer; result says how it was found. All zero where
+ * nothing collects. */
+void caustics_gather(const Caustics *caustics, const LitPoint *at, const Bsdf *bsdf,
+		     GatherResult *result);
 
-/* Whether photons carry what the light sends through the surface: then its shadow is empty of filtered light. */
+/* Whether photons carry what the light sends through the surface: then its shadow is empty of
+ * filtered light. */
 bool caustics_replace_shadow(const Caustics *caustics, const Light *light, const Surface *surface);
 
 #endif

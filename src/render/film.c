@@ -24,10 +24,16 @@ typedef struct LayerInfo {
 } LayerInfo;
 
 static const LayerInfo layer_info[FILM_LAYER_COUNT] = {
-	[FILM_COLOR] = {"RGBA", 4, 0}, [FILM_DIRECT] = {"direct", 3, 4}, [FILM_CAUSTIC] = {"caustic", 3, 7},
-	[FILM_ALBEDO] = {"albedo", 3, 10}, [FILM_NORMAL] = {"N", 3, 13}, [FILM_DEPTH] = {"Z", 1, 16},
-	[FILM_PHOTON_COUNT] = {"photons.count", 1, 17}, [FILM_PHOTON_PARAMETER] = {"photons.parameter", 3, 18},
-	[FILM_PHOTON_EDGES] = {"photons.edges", 1, 21}, [FILM_PHOTON_CONSTRAINT] = {"photons.constraint", 1, 22},
+	[FILM_COLOR] = {"RGBA", 4, 0},
+	[FILM_DIRECT] = {"direct", 3, 4},
+	[FILM_CAUSTIC] = {"caustic", 3, 7},
+	[FILM_ALBEDO] = {"albedo", 3, 10},
+	[FILM_NORMAL] = {"N", 3, 13},
+	[FILM_DEPTH] = {"Z", 1, 16},
+	[FILM_PHOTON_COUNT] = {"photons.count", 1, 17},
+	[FILM_PHOTON_PARAMETER] = {"photons.parameter", 3, 18},
+	[FILM_PHOTON_EDGES] = {"photons.edges", 1, 21},
+	[FILM_PHOTON_CONSTRAINT] = {"photons.constraint", 1, 22},
 };
 
 static size_t pixel_count(const Film *film)
@@ -132,8 +138,8 @@ static void store_pixel(Film *film, size_t at, const FilmPixel *pixel)
 	for (int i = 0; i < FILM_LAYER_COUNT; i++) {
 		const LayerInfo *info = &layer_info[i];
 		if (film->planes[i])
-			memcpy(film->planes[i] + at * (size_t)info->channels, pixel->v + info->offset,
-			       (size_t)info->channels * sizeof(float));
+			memcpy(film->planes[i] + at * (size_t)info->channels,
+			       pixel->v + info->offset, (size_t)info->channels * sizeof(float));
 	}
 }
 
@@ -191,7 +197,9 @@ void film_average(Film *film, const Film *pass)
 	pthread_mutex_lock(&film->lock);
 	float share = 1 / (float)++film->passes;
 	for (int i = 0; i < FILM_LAYER_COUNT; i++) {
-		bool kept = i == FILM_DEPTH && film->passes > 1; /* infinite depths have no mean: the first pass' stay */
+		bool kept = i == FILM_DEPTH &&
+			    film->passes >
+				    1; /* infinite depths have no mean: the first pass' stay */
 		size_t count = film->planes[i] && !kept ? plane_bytes(film, i) / sizeof(float) : 0;
 		float *mean = film->planes[i];
 		const float *add = pass->planes[i];
@@ -227,7 +235,8 @@ static bool write_state(const Film *film, uint64_t key, FILE *file)
 		fwrite(film->state, 1, pixel_count(film), file) == pixel_count(film);
 	for (int i = 0; i < FILM_LAYER_COUNT && good; i++)
 		if (film->planes[i])
-			good = fwrite(film->planes[i], 1, plane_bytes(film, i), file) == plane_bytes(film, i);
+			good = fwrite(film->planes[i], 1, plane_bytes(film, i), file) ==
+			       plane_bytes(film, i);
 	return good;
 }
 
@@ -251,9 +260,10 @@ bool film_save(const Film *film, const char *path, uint64_t key, Diag *diag)
 
 static bool header_is_sane(const StateHeader *header)
 {
-	return memcmp(header->magic, state_magic, sizeof state_magic) == 0 && header->byte_order == STATE_BYTE_ORDER &&
-		header->width > 0 && header->height > 0 && header->width <= 1 << 20 && header->height <= 1 << 20 &&
-		header->layers >> FILM_LAYER_COUNT == 0;
+	return memcmp(header->magic, state_magic, sizeof state_magic) == 0 &&
+	       header->byte_order == STATE_BYTE_ORDER && header->width > 0 && header->height > 0 &&
+	       header->width <= 1 << 20 && header->height <= 1 << 20 &&
+	       header->layers >> FILM_LAYER_COUNT == 0;
 }
 
 static bool read_planes(Film *film, FILE *file)
@@ -261,7 +271,8 @@ static bool read_planes(Film *film, FILE *file)
 	if (fread(film->state, 1, pixel_count(film), file) != pixel_count(film))
 		return false;
 	for (int i = 0; i < FILM_LAYER_COUNT; i++)
-		if (film->planes[i] && fread(film->planes[i], 1, plane_bytes(film, i), file) != plane_bytes(film, i))
+		if (film->planes[i] &&
+		    fread(film->planes[i], 1, plane_bytes(film, i), file) != plane_bytes(film, i))
 			return false;
 	/* A first sample alone is not worth keeping: neighbours are needed with it. */
 	for (size_t i = 0; i < pixel_count(film); i++)
@@ -281,7 +292,9 @@ Film *film_load(const char *path, uint64_t key, Diag *diag)
 	if (fread(&header, sizeof header, 1, file) != 1 || !header_is_sane(&header)) {
 		diag_fail(diag, "'%s' is not the state of a render", path);
 	} else if (header.key != key) {
-		diag_fail(diag, "'%s' is the state of another render: scene, size or switches differ", path);
+		diag_fail(diag,
+			  "'%s' is the state of another render: scene, size or switches differ",
+			  path);
 	} else {
 		film = film_create(header.width, header.height, header.layers);
 		film->passes = header.passes;

@@ -1,7 +1,7 @@
 /*
- * Area lights follow POV-Ray 3.7's manual, section 3.4.4.1.5: shadow rays go to the corners of the grid first, and a part whose
- * corners agree is not looked at closer. Without area_illumination only the shadow is soft; the light's direction and strength
- * stay those of its centre.
+ * Area lights follow POV-Ray 3.7's manual, section 3.4.4.1.5: shadow rays go to the corners of the
+ * grid first, and a part whose corners agree is not looked at closer. Without area_illumination
+ * only the shadow is soft; the light's direction and strength stay those of its centre.
  */
 #include "render/lighting.h"
 
@@ -25,7 +25,8 @@ typedef struct Grid {
 	int number;
 	const Light *light;
 	AreaFrame frame;
-	Vec3 centre; /* from the lit point to the light's, which for parallel light is above every point */
+	Vec3 centre; /* from the lit point to the light's, which for parallel light is above every
+			point */
 } Grid;
 
 static Vec3 grid_point(Grid *grid, int column, int row)
@@ -43,7 +44,8 @@ static Rgb grid_visibility(Grid *grid, int column, int row)
 	int at = row * grid->light->size1 + column;
 	Tracer *tracer = grid->tracer;
 	if (!tracer->grid_known[at]) {
-		Vec3 offset = vec3_add(grid->centre, vec3_sub(grid_point(grid, column, row), grid->light->position));
+		Vec3 offset = vec3_add(grid->centre, vec3_sub(grid_point(grid, column, row),
+							      grid->light->position));
 		double distance = vec3_length(offset);
 		tracer->grid[at] = shadow_visibility(tracer, grid->at, grid->number,
 		                                     vec3_scale(offset, 1 / distance), distance);
@@ -108,7 +110,12 @@ static Grid grid_start(Tracer *tracer, const LitPoint *at, int number)
 	Vec3 direction;
 	double distance;
 	light_arrival(light, light->position, at->p, &direction, &distance);
-	return (Grid){tracer, at, number, light, area_frame(light, at->p), vec3_scale(direction, distance)};
+	return (Grid){tracer,
+		      at,
+		      number,
+		      light,
+		      area_frame(light, at->p),
+		      vec3_scale(direction, distance)};
 }
 
 static Rgb area_visibility(Tracer *tracer, const LitPoint *at, int number)
@@ -125,12 +132,15 @@ static Rgb area_illumination(Tracer *tracer, const LitPoint *at, int number, con
 	int total = grid.light->size1 * grid.light->size2;
 	Rgb sum = {0, 0, 0};
 	for (int i = 0; i < total; i++) {
-		Vec3 direction, from = grid_point(&grid, i % grid.light->size1, i / grid.light->size1);
+		Vec3 direction,
+			from = grid_point(&grid, i % grid.light->size1, i / grid.light->size1);
 		double distance;
 		Rgb arrived = light_arrival(grid.light, from, at->p, &direction, &distance);
 		arrived = rgb_mul(arrived, bsdf_eval(bsdf, direction, true));
 		if (!rgb_is_black(arrived))
-			sum = rgb_add(sum, rgb_mul(arrived, shadow_visibility(tracer, at, number, direction, distance)));
+			sum = rgb_add(sum,
+				      rgb_mul(arrived, shadow_visibility(tracer, at, number,
+									 direction, distance)));
 	}
 	return rgb_scale(sum, 1.0f / (float)total);
 }

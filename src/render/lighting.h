@@ -16,6 +16,7 @@ typedef struct LitPoint {
 Rgb lighting_at(Tracer *tracer, const LitPoint *at, const Bsdf *bsdf);
 
 /* The share of the light, by colour, that comes from the point `from` of a source to p. */
-Rgb shadow_visibility(Tracer *tracer, const LitPoint *at, int light, Vec3 direction, double distance);
+Rgb shadow_visibility(Tracer *tracer, const LitPoint *at, int light, Vec3 direction,
+		      double distance);
 
 #endif

@@ -57,7 +57,10 @@ void pass_statistics_add(PassStatistics *sum, const PassStatistics *part)
 static PhotonMap *trace_photons(Passes *passes)
 {
 	PhotonTraceOptions options = {
-		.seed = passes->seed, .pass = passes->pass, .scale = 1, .stop = passes->callbacks.stop,
+		.seed = passes->seed,
+		.pass = passes->pass,
+		.scale = 1,
+		.stop = passes->callbacks.stop,
 	};
 	PhotonStatistics statistics;
 	PhotonMap *map = photon_trace(passes->job->scene, &options, &statistics);
@@ -96,7 +99,8 @@ static RenderStatus render_with(Passes *passes, PhotonMap *map, double radius, F
 	if (!caustics)
 		return RENDER_FAILED;
 	passes->render.caustics = caustics;
-	RenderStatus status = render_image(passes->job->scene, &passes->render, film, &passes->callbacks, &statistics);
+	RenderStatus status = render_image(passes->job->scene, &passes->render, film,
+					   &passes->callbacks, &statistics);
 	passes->render.caustics = NULL;
 	caustics_destroy(caustics);
 	render_statistics_add(&passes->statistics->render, &statistics);
@@ -240,7 +244,8 @@ static RenderStatus run(Passes *passes)
 {
 	const PassJob *job = passes->job;
 	if (!wants_photons(passes))
-		return render_image(job->scene, &passes->render, job->film, &passes->callbacks, &passes->statistics->render);
+		return render_image(job->scene, &passes->render, job->film, &passes->callbacks,
+				    &passes->statistics->render);
 	passes->statistics->has_photons = true;
 	settle_progressive(passes);
 	if (!passes->progressive.on)
@@ -256,8 +261,13 @@ RenderStatus passes_render(const PassJob *job, PassStatistics *statistics)
 {
 	double cpu = clock_cpu();
 	Passes passes = {
-		.job = job, .settings = &job->scene->settings.photons, .statistics = statistics, .render = *job->render,
-		.seed = job->render->seed, .start = clock_wall(), .share = 1,
+		.job = job,
+		.settings = &job->scene->settings.photons,
+		.statistics = statistics,
+		.render = *job->render,
+		.seed = job->render->seed,
+		.start = clock_wall(),
+		.share = 1,
 	};
 	*statistics = (PassStatistics){.passes = 0};
 	if (job->callbacks) {

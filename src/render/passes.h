@@ -1,6 +1,7 @@
 /*
- * The photon stage and the picture: photons once and one picture (the usual), or progressive passes, each with photons of its own
- * and a smaller radius, whose pictures are averaged. How radii shrink is a Reduction's affair (reduction.h).
+ * The photon stage and the picture: photons once and one picture (the usual), or progressive
+ * passes, each with photons of its own and a smaller radius, whose pictures are averaged. How radii
+ * shrink is a Reduction's affair (reduction.h).
  */
 #ifndef RENDER_PASSES_H
 #define RENDER_PASSES_H
@@ -11,7 +12,7 @@
 /* What switches say beside the scene's photons { }. */
 typedef struct PassOptions {
 	const char *save_file, *load_file; /* photon maps; NULL: what the scene says */
-	const Estimator *estimator;        /* instead of the scene's and its objects'; NULL: theirs */
+	const Estimator *estimator; /* instead of the scene's and its objects'; NULL: theirs */
 	int passes;                        /* 0: what the scene says */
 } PassOptions;
 
@@ -19,7 +20,8 @@ typedef struct PassStatistics {
 	RenderStatistics render;
 	PhotonStatistics photons;
 	uint32_t passes;      /* finished, those of an earlier run included */
-	double first_radius, radius; /* of the first and of the last progressive pass; 0: not progressive */
+	double first_radius,
+		radius; /* of the first and of the last progressive pass; 0: not progressive */
 	bool has_photons;
 } PassStatistics;
 
@@ -28,14 +30,15 @@ typedef struct PassJob {
 	const RenderOptions *render;
 	const PassOptions *options;
 	const RenderCallbacks *callbacks; /* or NULL; progress counts all passes */
-	Film *film;                       /* a film that holds some passes already (film_passes) is gone on with */
+	Film *film; /* a film that holds some passes already (film_passes) is gone on with */
 	Diag *diag;
 } PassJob;
 
 /* Sums; radii are the last frame's. */
 void pass_statistics_add(PassStatistics *sum, const PassStatistics *part);
 
-/* RENDER_FAILED is reported. With RENDER_STOPPED a progressive film holds the mean of the finished passes. */
+/* RENDER_FAILED is reported. With RENDER_STOPPED a progressive film holds the mean of the finished
+ * passes. */
 RenderStatus passes_render(const PassJob *job, PassStatistics *statistics);
 
 #endif

@@ -1,4 +1,5 @@
-/* How the radius of progressive photon mapping shrinks from pass to pass. One method a file, a row in the table. */
+/* How the radius of progressive photon mapping shrinks from pass to pass. One method a file, a row
+ * in the table. */
 #ifndef RENDER_REDUCTION_H
 #define RENDER_REDUCTION_H
 

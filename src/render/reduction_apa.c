@@ -1,8 +1,9 @@
 /*
- * Knaus & Zwicker 2011, "Progressive photon mapping: a probabilistic approach", eq. 15 and 20: passes are independent, and
- * r(i+1)^2 / r(i)^2 = (i + alpha) / (i + 1) lets the mean's variance and bias both vanish. The product of these ratios up to a
- * pass is a quotient of gamma functions: r(n)^2 = r(1)^2 gamma(n + alpha) / (gamma(n + 1) gamma(1 + alpha)) for pass n from 0, the
- * first ratio being that of i = 1.
+ * Knaus & Zwicker 2011, "Progressive photon mapping: a probabilistic approach", eq. 15 and 20:
+ * passes are independent, and r(i+1)^2 / r(i)^2 = (i + alpha) / (i + 1) lets the mean's variance
+ * and bias both vanish. The product of these ratios up to a pass is a quotient of gamma functions:
+ * r(n)^2 = r(1)^2 gamma(n + alpha) / (gamma(n + 1) gamma(1 + alpha)) for pass n from 0, the first
+ * ratio being that of i = 1.
  */
 #include <math.h>
 

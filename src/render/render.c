@@ -1,7 +1,8 @@
 /*
- * The image is cut into square tiles that threads take in order. Without super-sampling, and with method 2, one pass makes final
- * pixels. Method 1 needs the neighbours' first samples: a first pass gives every pixel one, a second replaces those that differ.
- * Tiles are independent and every sample's random numbers come from its own number: threads change nothing but time.
+ * The image is cut into square tiles that threads take in order. Without super-sampling, and with
+ * method 2, one pass makes final pixels. Method 1 needs the neighbours' first samples: a first pass
+ * gives every pixel one, a second replaces those that differ. Tiles are independent and every
+ * sample's random numbers come from its own number: threads change nothing but time.
  */
 #include "render/render.h"
 
@@ -50,7 +51,12 @@ struct Render {
 RenderOptions render_options_default(void)
 {
 	return (RenderOptions){
-		.quality = 9, .sampling_method = 1, .threshold = 0.3, .depth = 3, .jitter = 1, .gamma = 2.5,
+		.quality = 9,
+		.sampling_method = 1,
+		.threshold = 0.3,
+		.depth = 3,
+		.jitter = 1,
+		.gamma = 2.5,
 		.progress_interval = 0.5,
 	};
 }
@@ -64,7 +70,8 @@ static bool is_stopped(const Render *render)
 
 static AntialiasPixel pixel_at(const Render *render, Worker *worker, int x, int y)
 {
-	return (AntialiasPixel){&worker->tracer, render->options, render->film, x, y, render->first_hit};
+	return (AntialiasPixel){&worker->tracer,  render->options, render->film, x, y,
+				render->first_hit};
 }
 
 static void pixel_centre(const Render *render, Worker *worker, int x, int y, FilmPixel *out)
@@ -102,15 +109,17 @@ static void pixel_compared(const Render *render, Worker *worker, int x, int y, F
 
 static bool is_unfinished(const Render *render, int x, int y)
 {
-	bool inside = x >= render->region.x0 && x < render->region.x1 && y >= render->region.y0 && y < render->region.y1;
+	bool inside = x >= render->region.x0 && x < render->region.x1 && y >= render->region.y0 &&
+		      y < render->region.y1;
 	return inside && !film_is_final(render->film, x, y);
 }
 
 /* A first sample is needed for the pixel itself and for its neighbours to compare with. */
 static bool is_first_needed(const Render *render, int x, int y)
 {
-	return is_unfinished(render, x, y) || is_unfinished(render, x - 1, y) || is_unfinished(render, x + 1, y) ||
-		is_unfinished(render, x, y - 1) || is_unfinished(render, x, y + 1);
+	return is_unfinished(render, x, y) || is_unfinished(render, x - 1, y) ||
+	       is_unfinished(render, x + 1, y) || is_unfinished(render, x, y - 1) ||
+	       is_unfinished(render, x, y + 1);
 }
 
 /* ---- progress ---- */
@@ -141,7 +150,8 @@ static void report(Render *render)
 
 static void maybe_report(Render *render)
 {
-	if (!render->callbacks || !render->callbacks->progress || atomic_flag_test_and_set(&render->reporting))
+	if (!render->callbacks || !render->callbacks->progress ||
+	    atomic_flag_test_and_set(&render->reporting))
 		return;
 	if (clock_wall() - render->last_report >= render->options->progress_interval)
 		report(render);
@@ -150,7 +160,8 @@ static void maybe_report(Render *render)
 
 /* ---- tiles ---- */
 
-/* Puts the runs of a row's pixels that are wanted into a film; the others stay as they are. row[0] is the pixel at x0. */
+/* Puts the runs of a row's pixels that are wanted into a film; the others stay as they are. row[0]
+ * is the pixel at x0. */
 static void commit_runs(const Render *render, Film *film, FilmRect span, const FilmPixel *row,
                         bool (*wanted)(const Render *render, int x, int y))
 {
@@ -159,7 +170,8 @@ static void commit_runs(const Render *render, Film *film, FilmRect span, const F
 		while (end < span.x1 && wanted(render, end, span.y0))
 			end++;
 		if (end > x)
-			film_commit(film, (FilmRect){x, span.y0, end, span.y1}, row + (x - span.x0), render->final);
+			film_commit(film, (FilmRect){x, span.y0, end, span.y1}, row + (x - span.x0),
+				    render->final);
 		x = end + 1;
 	}
 }
@@ -192,7 +204,8 @@ static void render_tile(void *data, long item, int thread)
 	Worker *worker = &render->workers[thread];
 	FilmRect region = render->pass.region;
 	int across = tiles_across(region);
-	int x0 = region.x0 + (int)(item % across) * TILE, y0 = region.y0 + (int)(item / across) * TILE;
+	int x0 = region.x0 + (int)(item % across) * TILE,
+	    y0 = region.y0 + (int)(item / across) * TILE;
 	FilmRect tile = {x0, y0, x0 + TILE < region.x1 ? x0 + TILE : region.x1,
 	                 y0 + TILE < region.y1 ? y0 + TILE : region.y1};
 	if (worker->corners)
@@ -200,7 +213,8 @@ static void render_tile(void *data, long item, int thread)
 	if (is_stopped(render) || !render_rows(render, worker, tile))
 		return;
 	for (int y = tile.y0; y < tile.y1; y++)
-		commit_row(render, (FilmRect){tile.x0, y, tile.x1, y + 1}, worker->pixels + (y - tile.y0) * TILE);
+		commit_row(render, (FilmRect){tile.x0, y, tile.x1, y + 1},
+			   worker->pixels + (y - tile.y0) * TILE);
 	atomic_fetch_add(&render->tiles, 1);
 	if (!render->first || !render->final)
 		atomic_fetch_add(&render->pixels, (long)(tile.x1 - tile.x0) * (tile.y1 - tile.y0));
@@ -212,7 +226,8 @@ static bool run_pass(Render *render, const Pass *pass, bool final)
 	render->pass = *pass;
 	render->final = final;
 	render->tiles = 0;
-	parallel_for((long)tiles_across(pass->region) * tiles_down(pass->region), 1, render_tile, render);
+	parallel_for((long)tiles_across(pass->region) * tiles_down(pass->region), 1, render_tile,
+		     render);
 	render->share_done += pass->share;
 	return !is_stopped(render);
 }
@@ -249,11 +264,14 @@ void render_statistics_add(RenderStatistics *sum, const RenderStatistics *part)
 		sum->deepest = part->deepest;
 }
 
-/* From two neighbouring rays in the middle of the picture; antialiased, a sample stands for less than a pixel. */
+/* From two neighbouring rays in the middle of the picture; antialiased, a sample stands for less
+ * than a pixel. */
 static void set_sample_size(const Render *render, Tracer *tracer)
 {
 	int width = film_width(render->film), height = film_height(render->film);
-	int finer = render->options->antialias && render->options->depth > 0 ? render->options->depth : 1;
+	int finer = render->options->antialias && render->options->depth > 0
+			    ? render->options->depth
+			    : 1;
 	const Camera *camera = &tracer->scene->camera;
 	Ray a, b;
 	Vec2 pinhole = {0.5, 0.5};
@@ -294,7 +312,8 @@ static FilmRect clip_region(FilmRect region, const Film *film)
 	if (region.x0 >= region.x1 || region.y0 >= region.y1)
 		return whole;
 	return (FilmRect){region.x0 > 0 ? region.x0 : 0, region.y0 > 0 ? region.y0 : 0,
-	                  region.x1 < whole.x1 ? region.x1 : whole.x1, region.y1 < whole.y1 ? region.y1 : whole.y1};
+			  region.x1 < whole.x1 ? region.x1 : whole.x1,
+			  region.y1 < whole.y1 ? region.y1 : whole.y1};
 }
 
 static unsigned film_layers(const Film *film)
@@ -310,10 +329,14 @@ RenderStatus render_image(const Scene *scene, const RenderOptions *options, Film
 {
 	double cpu = clock_cpu();
 	Render render = {
-		.options = options, .callbacks = callbacks, .film = film, .region = clip_region(options->region, film),
-		.start = clock_wall(), .reporting = ATOMIC_FLAG_INIT,
-		.first_hit = film_has(film, FILM_ALBEDO) || film_has(film, FILM_NORMAL) || film_has(film, FILM_DEPTH) ||
-		             film_has(film, FILM_PHOTON_COUNT),
+		.options = options,
+		.callbacks = callbacks,
+		.film = film,
+		.region = clip_region(options->region, film),
+		.start = clock_wall(),
+		.reporting = ATOMIC_FLAG_INIT,
+		.first_hit = film_has(film, FILM_ALBEDO) || film_has(film, FILM_NORMAL) ||
+			     film_has(film, FILM_DEPTH) || film_has(film, FILM_PHOTON_COUNT),
 	};
 	RenderStatistics sum = {0};
 	if (options->antialias && options->sampling_method == 1)

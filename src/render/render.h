@@ -1,6 +1,6 @@
 /*
- * Rendering: the scene and the options in, a film out. The same scene, options and seed give the same bits for any number
- * of threads (parallel_set_threads).
+ * Rendering: the scene and the options in, a film out. The same scene, options and seed give the
+ * same bits for any number of threads (parallel_set_threads).
  */
 #ifndef RENDER_RENDER_H
 #define RENDER_RENDER_H
@@ -28,7 +28,8 @@ typedef struct RenderOptions {
 	double progress_interval; /* seconds between calls of progress; 0: after every tile */
 } RenderOptions;
 
-/* POV-Ray's defaults: quality 9, no antialiasing; method 1, threshold 0.3, depth 3, jitter 1, gamma 2.5. */
+/* POV-Ray's defaults: quality 9, no antialiasing; method 1, threshold 0.3, depth 3, jitter 1,
+ * gamma 2.5. */
 RenderOptions render_options_default(void);
 
 typedef struct RenderProgress {
@@ -39,11 +40,13 @@ typedef struct RenderProgress {
 	double remaining; /* seconds, estimated; negative while unknown */
 } RenderProgress;
 
-/* All optional. progress is called by one thread at a time while others go on; it may take a film_snapshot. */
+/* All optional. progress is called by one thread at a time while others go on; it may take a
+ * film_snapshot. */
 typedef struct RenderCallbacks {
 	void (*progress)(void *data, const RenderProgress *progress);
 	void *data;
-	const volatile int *stop; /* the render ends soon after this becomes nonzero (a signal handler may set it) */
+	const volatile int *stop; /* the render ends soon after this becomes nonzero (a signal
+				     handler may set it) */
 } RenderCallbacks;
 
 typedef struct RenderStatistics {
@@ -58,7 +61,8 @@ typedef enum RenderStatus { RENDER_DONE, RENDER_STOPPED, RENDER_FAILED } RenderS
 
 void render_statistics_add(RenderStatistics *sum, const RenderStatistics *part);
 
-/* Fills the film; pixels that are final already (a resumed render) stay. callbacks and statistics may be NULL. */
+/* Fills the film; pixels that are final already (a resumed render) stay. callbacks and statistics
+ * may be NULL. */
 RenderStatus render_image(const Scene *scene, const RenderOptions *options, Film *film,
                           const RenderCallbacks *callbacks, RenderStatistics *statistics);
 

@@ -1,6 +1,7 @@
 /*
- * Focal blur: rays through points of the aperture until the mean is known as well as the camera asks (confidence and
- * variance), at most blur_samples of them. The points are Halton's, shifted for each pixel by a random amount.
+ * Focal blur: rays through points of the aperture until the mean is known as well as the camera
+ * asks (confidence and variance), at most blur_samples of them. The points are Halton's, shifted
+ * for each pixel by a random amount.
  */
 #include "render/sample.h"
 
@@ -17,7 +18,8 @@ static double confidence_width(double confidence)
 {
 	double tail = fmin(fmax((1 - confidence) / 2, 1e-9), 0.5);
 	double t = sqrt(-2 * log(tail));
-	return t - (2.515517 + t * (0.802853 + t * 0.010328)) / (1 + t * (1.432788 + t * (0.189269 + t * 0.001308)));
+	return t - (2.515517 + t * (0.802853 + t * 0.010328)) /
+			   (1 + t * (1.432788 + t * (0.189269 + t * 0.001308)));
 }
 
 static bool bundle_is_sure(const Bundle *bundle, const Camera *camera)
@@ -26,7 +28,8 @@ static bool bundle_is_sure(const Bundle *bundle, const Camera *camera)
 		return false;
 	double width = confidence_width(camera->confidence), n = bundle->count;
 	for (int i = 0; i < 4; i++) {
-		double spread = fmax(bundle->square[i] - bundle->sum[i] * bundle->sum[i] / n, 0) / (n - 1);
+		double spread = fmax(bundle->square[i] - bundle->sum[i] * bundle->sum[i] / n, 0) /
+				(n - 1);
 		if (spread / n * width * width > camera->variance)
 			return false;
 	}
@@ -36,7 +39,8 @@ static bool bundle_is_sure(const Bundle *bundle, const Camera *camera)
 static void bundle_add(Bundle *bundle, const float color[4])
 {
 	for (int i = 0; i < 4; i++) {
-		double shown = fmin(fmax(color[i], 0), 1); /* over-bright light must not ask for endless rays */
+		double shown = fmin(fmax(color[i], 0),
+				    1); /* over-bright light must not ask for endless rays */
 		bundle->sum[i] += shown;
 		bundle->square[i] += shown * shown;
 	}
@@ -80,7 +84,8 @@ static void eye_sample(Tracer *tracer, const SamplePlace *place, Vec2 lens, Film
 	Ray ray;
 	*out = (FilmPixel){{0}};
 	if (camera_ray(camera, place->x, place->y, place->width, place->height, lens, &ray))
-		set_color(tracer, trace_eye(tracer, &ray, place->first_hit ? &first : NULL), out->v);
+		set_color(tracer, trace_eye(tracer, &ray, place->first_hit ? &first : NULL),
+			  out->v);
 	else
 		out->v[3] = tracer->alpha ? 0 : 1;
 	if (place->first_hit)
@@ -97,7 +102,8 @@ static void mesh_sample(Tracer *tracer, const SamplePlace *place, FilmPixel *out
 	for (int i = 0; i < mesh->rays; i++) {
 		Ray ray;
 		FilmPixel one = {{0}};
-		if (!mesh_camera_ray(mesh, i, (Vec2){place->x, place->y}, (const int[]){place->width, place->height}, &ray))
+		if (!mesh_camera_ray(mesh, i, (Vec2){place->x, place->y},
+				     (const int[]){place->width, place->height}, &ray))
 			continue;
 		set_color(tracer, trace_eye(tracer, &ray, NULL), one.v);
 		for (int k = 0; k < FILM_LIGHT_CHANNELS; k++)
@@ -121,7 +127,8 @@ static void blurred_sample(Tracer *tracer, const SamplePlace *place, FilmPixel *
 	Bundle bundle = {.count = 0};
 	int least = camera->blur_samples_min > 4 ? camera->blur_samples_min : 4;
 	for (int i = 0; i < camera->blur_samples; i++) {
-		Vec2 lens = {wrap(random_halton((uint64_t)i, 0) + shift_u), wrap(random_halton((uint64_t)i, 1) + shift_v)};
+		Vec2 lens = {wrap(random_halton((uint64_t)i, 0) + shift_u),
+			     wrap(random_halton((uint64_t)i, 1) + shift_v)};
 		FilmPixel one;
 		eye_sample(tracer, place, lens, &one);
 		if (i == 0)

@@ -1,6 +1,7 @@
 /*
- * Shadow rays. An opaque surface ends the question; surfaces that let light through are collected, put in order, and tint what
- * passes: by their textures, by POV-Ray's fake caustics, and by the attenuation of what lies between them.
+ * Shadow rays. An opaque surface ends the question; surfaces that let light through are collected,
+ * put in order, and tint what passes: by their textures, by POV-Ray's fake caustics, and by the
+ * attenuation of what lies between them.
  */
 #include "render/caustics.h"
 #include "scene/shade.h"
@@ -8,7 +9,8 @@
 enum { SHADOW_MAX_HITS = 128 }; /* more transparent surfaces in one ray count as opaque */
 
 static const float SHADOW_BLACK = 1e-4f;    /* less light than this is none */
-static const double CAUSTICS_EXPONENT = 45; /* of the cosine, for caustics 1; measured from POV-Ray's images */
+static const double CAUSTICS_EXPONENT =
+	45; /* of the cosine, for caustics 1; measured from POV-Ray's images */
 
 typedef struct ShadowSearch {
 	const Caustics *caustics;
@@ -53,19 +55,23 @@ static Rgb surface_transmittance(const ShadePoint *point, const Shading *shading
 		const ShadingStack *stack = &shading->stacks[i];
 		Rgb through = rgb_all(stack->weight);
 		for (int k = 0; k < stack->count; k++)
-			through = rgb_mul(through, rgbft_transmittance(shading->layers[stack->first + k].color));
+			through = rgb_mul(
+				through,
+				rgbft_transmittance(shading->layers[stack->first + k].color));
 		sum = rgb_add(sum, through);
 	}
 	const Interior *interior = point->surface->interior;
 	if (interior && interior->caustics != 0 && shading->layer_count) {
 		Vec3 normal = shading->layers[shading->layer_count - 1].normal;
 		double straight = fabs(vec3_dot(normal, point->at.direction));
-		sum = rgb_scale(sum, (float)(1 + pow(straight, CAUSTICS_EXPONENT * interior->caustics)));
+		sum = rgb_scale(sum,
+				(float)(1 + pow(straight, CAUSTICS_EXPONENT * interior->caustics)));
 	}
 	return sum;
 }
 
-/* What is left of white light after the collected surfaces. inside: where the ray starts; changed. */
+/* What is left of white light after the collected surfaces. inside: where the ray starts; changed.
+ */
 static Rgb pass_surfaces(const ShadowSearch *search, const Ray *ray, InsideStack *inside)
 {
 	Rgb left = rgb_all(1);
@@ -77,7 +83,8 @@ static Rgb pass_surfaces(const ShadowSearch *search, const Ray *ray, InsideStack
 		shade_textures(&point, &shading);
 		left = rgb_mul(left, surface_transmittance(&point, &shading));
 		if (inside_has(inside, point.surface))
-			left = rgb_mul(left, shade_attenuation(point.surface->interior, search->hits[i].t - from));
+			left = rgb_mul(left, shade_attenuation(point.surface->interior,
+							       search->hits[i].t - from));
 		inside_cross(inside, point.surface);
 		from = search->hits[i].t;
 	}
@@ -89,10 +96,12 @@ static bool same_blocker(const Tracer *tracer, const Ray *ray, int light)
 {
 	const Shape *shape = tracer->blockers[light];
 	Hit hit;
-	return shape && shape_nearest(shape, ray, &hit) && ((const Surface *)hit.shape->owner)->opaque;
+	return shape && shape_nearest(shape, ray, &hit) &&
+	       ((const Surface *)hit.shape->owner)->opaque;
 }
 
-/* A light that is projected through a shape shines only where its rays cross it, and only from there on. */
+/* A light that is projected through a shape shines only where its rays cross it, and only from
+ * there on. */
 static bool project_through(const Shape *shape, Ray *ray)
 {
 	Hit hit;
@@ -102,7 +111,8 @@ static bool project_through(const Shape *shape, Ray *ray)
 	return true;
 }
 
-Rgb shadow_visibility(Tracer *tracer, const LitPoint *at, int light, Vec3 direction, double distance)
+Rgb shadow_visibility(Tracer *tracer, const LitPoint *at, int light, Vec3 direction,
+		      double distance)
 {
 	double epsilon = shade_epsilon(at->p);
 	Ray ray = {at->p, direction, epsilon, distance - epsilon};

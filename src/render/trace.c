@@ -1,7 +1,8 @@
 /*
- * Whitted's ray tracing as POV-Ray 3.7 does it: at a hit, light of the surface itself and of every source, then one ray for each
- * mirror and one for the passage through, weighted, until weights fall under adc_bailout or max_trace_level is reached. A
- * passage that does not bend does not count as a level.
+ * Whitted's ray tracing as POV-Ray 3.7 does it: at a hit, light of the surface itself and of every
+ * source, then one ray for each mirror and one for the passage through, weighted, until weights
+ * fall under adc_bailout or max_trace_level is reached. A passage that does not bend does not count
+ * as a level.
  */
 #include "render/tracer.h"
 
@@ -13,7 +14,9 @@
 #include "render/lighting.h"
 #include "scene/shade.h"
 
-enum { TRACE_MAX_DEPTH = 250 }; /* recursion limit for surfaces in a row that let a ray straight through */
+enum {
+	TRACE_MAX_DEPTH = 250
+}; /* recursion limit for surfaces in a row that let a ray straight through */
 
 static const Seen SEEN_NOTHING = {.transmit = 0};
 
@@ -33,7 +36,8 @@ static float seen_power(float value, float exponent)
 static void seen_raise(Seen *seen, float exponent)
 {
 	Rgb before = seen->color;
-	seen->color = rgb(seen_power(before.r, exponent), seen_power(before.g, exponent), seen_power(before.b, exponent));
+	seen->color = rgb(seen_power(before.r, exponent), seen_power(before.g, exponent),
+			  seen_power(before.b, exponent));
 	seen->caustic = rgb(before.r > 0 ? seen->caustic.r * seen->color.r / before.r : 0,
 	                    before.g > 0 ? seen->caustic.g * seen->color.g / before.g : 0,
 	                    before.b > 0 ? seen->caustic.b * seen->color.b / before.b : 0);
@@ -59,7 +63,8 @@ static void count_event(RenderStatistics *statistics, const BsdfEvent *event, in
 		statistics->deepest = level;
 }
 
-static void next_ray(const PathRay *path, const ShadePoint *point, const BsdfEvent *event, PathRay *next)
+static void next_ray(const PathRay *path, const ShadePoint *point, const BsdfEvent *event,
+		     PathRay *next)
 {
 	inside_copy(&next->inside, &path->inside);
 	if (event->kind == BSDF_TRANSMIT && !event->total)
@@ -71,10 +76,12 @@ static void next_ray(const PathRay *path, const ShadePoint *point, const BsdfEve
 	next->reflected = path->reflected || event->kind == BSDF_REFLECT || event->total;
 }
 
-static void follow_event(Tracer *tracer, const PathRay *path, const ShadePoint *point, BsdfEvent *event, Seen *sum)
+static void follow_event(Tracer *tracer, const PathRay *path, const ShadePoint *point,
+			 BsdfEvent *event, Seen *sum)
 {
 	if (event->kind == BSDF_TRANSMIT && inside_has(&path->inside, point->surface))
-		event->weight = rgb_mul(event->weight, shade_attenuation(point->surface->interior, point->hit->t));
+		event->weight = rgb_mul(event->weight,
+					shade_attenuation(point->surface->interior, point->hit->t));
 	PathRay next;
 	next.weight = path->weight * rgb_peak(event->weight);
 	if (next.weight < tracer->scene->settings.adc_bailout) {
@@ -107,14 +114,16 @@ static Seen flat_color(const ShadePoint *point, const Shading *shading)
 	for (int i = 0; i < shading->stack_count; i++) {
 		const ShadingStack *stack = &shading->stacks[i];
 		if (stack->count)
-			sum.color = rgb_mad(sum.color, stack->weight,
-			                    rgbft_rgb(shading->layers[stack->first + stack->count - 1].color));
+			sum.color = rgb_mad(
+				sum.color, stack->weight,
+				rgbft_rgb(shading->layers[stack->first + stack->count - 1].color));
 	}
 	return sum;
 }
 
 /* first: where to note the photons, or NULL. */
-static void add_caustic(const Tracer *tracer, const LitPoint *lit, const Bsdf *bsdf, Seen *sum, FirstHit *first)
+static void add_caustic(const Tracer *tracer, const LitPoint *lit, const Bsdf *bsdf, Seen *sum,
+			FirstHit *first)
 {
 	GatherResult found;
 	caustics_gather(tracer->caustics, lit, bsdf, &found);
@@ -128,16 +137,19 @@ static void add_caustic(const Tracer *tracer, const LitPoint *lit, const Bsdf *b
 	}
 }
 
-static Seen shade_stack(Tracer *tracer, const PathRay *path, const Shaded *shaded, const ShadingStack *stack,
-                        FirstHit *first)
+static Seen shade_stack(Tracer *tracer, const PathRay *path, const Shaded *shaded,
+			const ShadingStack *stack, FirstHit *first)
 {
 	const ShadePoint *point = shaded->point;
 	const Shading *shading = shaded->shading;
 	BsdfPlace place = {
-		.from = vec3_neg(path->ray.direction), .geometric = point->at.normal,
+		.from = vec3_neg(path->ray.direction),
+		.geometric = point->at.normal,
 		.world = point->at.world,
-		.ior = inside_ratio(&path->inside, point->surface), .both_sides = point->surface->double_illuminate,
-		.legacy = tracer->legacy, .irid_wavelength = tracer->scene->settings.irid_wavelength,
+		.ior = inside_ratio(&path->inside, point->surface),
+		.both_sides = point->surface->double_illuminate,
+		.legacy = tracer->legacy,
+		.irid_wavelength = tracer->scene->settings.irid_wavelength,
 		.cutoff = tracer->scene->settings.adc_bailout,
 	};
 	bool grainy = false;
@@ -162,7 +174,8 @@ static Seen shade_stack(Tracer *tracer, const PathRay *path, const Shaded *shade
 	return sum;
 }
 
-static void note_first(FirstHit *first, const ShadePoint *point, const Shading *shading, double depth)
+static void note_first(FirstHit *first, const ShadePoint *point, const Shading *shading,
+		       double depth)
 {
 	first->depth = depth;
 	first->normal = point->at.normal;
@@ -184,7 +197,9 @@ static Seen shade_hit(Tracer *tracer, const PathRay *path, const Hit *hit, First
 	for (int i = 0; i < shading.stack_count; i++) {
 		const ShadingStack *stack = &shading.stacks[i];
 		part.weight = path->weight * stack->weight;
-		seen_add(&sum, shade_stack(tracer, &part, &(Shaded){&point, &shading}, stack, first), rgb_all(stack->weight));
+		seen_add(&sum,
+			 shade_stack(tracer, &part, &(Shaded){&point, &shading}, stack, first),
+			 rgb_all(stack->weight));
 	}
 	return sum;
 }
@@ -207,7 +222,8 @@ static bool accept_reflection(void *data, const Ray *ray, const Hit *hit)
 
 Seen trace_ray(Tracer *tracer, const PathRay *path, FirstHit *first)
 {
-	if (path->level >= tracer->scene->settings.max_trace_level || path->depth >= TRACE_MAX_DEPTH) {
+	if (path->level >= tracer->scene->settings.max_trace_level ||
+	    path->depth >= TRACE_MAX_DEPTH) {
 		tracer->statistics.bailouts++;
 		return SEEN_NOTHING;
 	}
@@ -250,7 +266,10 @@ Seen trace_eye(Tracer *tracer, const Ray *ray, FirstHit *first)
 static Quality quality_of(int level)
 {
 	return (Quality){
-		.lights = level >= 2, .shadows = level >= 4, .area_lights = level >= 5, .scatter = level >= 8,
+		.lights = level >= 2,
+		.shadows = level >= 4,
+		.area_lights = level >= 5,
+		.scatter = level >= 8,
 		.atmosphere = level >= 9,
 	};
 }
@@ -258,7 +277,8 @@ static Quality quality_of(int level)
 /* Radiosity replaces ambient light in scenes since version 3.7. */
 static Rgb ambient_light(const Settings *settings)
 {
-	return settings->has_radiosity && settings->version >= 3.7 ? rgb_all(0) : settings->ambient_light;
+	return settings->has_radiosity && settings->version >= 3.7 ? rgb_all(0)
+								   : settings->ambient_light;
 }
 
 void tracer_init(Tracer *tracer, const Scene *scene, const RenderOptions *options)
@@ -270,9 +290,14 @@ void tracer_init(Tracer *tracer, const Scene *scene, const RenderOptions *option
 			grid = (size_t)light->size1 * (size_t)light->size2;
 	}
 	*tracer = (Tracer){
-		.scene = scene, .legacy = scene->settings.version < 3.7,
-		.ambient_light = ambient_light(&scene->settings), .quality = quality_of(options->quality), .alpha = options->alpha, .caustics = options->caustics,
-		.blockers = memory_alloc(sizeof *tracer->blockers * (size_t)(scene->light_count + 1)),
+		.scene = scene,
+		.legacy = scene->settings.version < 3.7,
+		.ambient_light = ambient_light(&scene->settings),
+		.quality = quality_of(options->quality),
+		.alpha = options->alpha,
+		.caustics = options->caustics,
+		.blockers = memory_alloc(sizeof *tracer->blockers *
+					 (size_t)(scene->light_count + 1)),
 		.grid = memory_alloc(sizeof *tracer->grid * grid),
 		.grid_known = memory_alloc(sizeof *tracer->grid_known * grid),
 		.eye_place = {NAN, NAN, NAN},

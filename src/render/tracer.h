@@ -1,6 +1,7 @@
 /*
- * Following one ray of light backwards from the eye. A Tracer is one thread's worker: the constant scene, and scratch that
- * nobody else touches. Everything a ray does depends on the scene, the options and the sampler's seed and index alone.
+ * Following one ray of light backwards from the eye. A Tracer is one thread's worker: the constant
+ * scene, and scratch that nobody else touches. Everything a ray does depends on the scene, the
+ * options and the sampler's seed and index alone.
  */
 #ifndef RENDER_TRACER_H
 #define RENDER_TRACER_H
@@ -28,12 +29,14 @@ typedef struct Tracer {
 	const Caustics *caustics; /* or NULL */
 	Rgb ambient_light;
 	bool alpha;              /* keep the background transparent */
-	const Shape **blockers;  /* per light: what shadowed the last point; a hint, no result depends on it */
+	const Shape **blockers; /* per light: what shadowed the last point; a hint, no result
+				   depends on it */
 	Rgb *grid;               /* visibility of the points of the largest area light */
 	bool *grid_known;
 	InsideStack eye;         /* what the camera is in */
 	Vec3 eye_place;          /* where that was found out */
-	double sample_width, sample_spread; /* of a sample's share of the picture, at the eye and per distance from it */
+	double sample_width, sample_spread; /* of a sample's share of the picture, at the eye and
+					       per distance from it */
 	Sampler sampler;         /* set for each sample of a pixel */
 	RenderStatistics statistics;
 } Tracer;
@@ -48,7 +51,8 @@ typedef struct PathRay {
 	InsideStack inside;
 } PathRay;
 
-/* What a ray sees: light, and the share of it that is the untouched background showing through (alpha). */
+/* What a ray sees: light, and the share of it that is the untouched background showing through
+ * (alpha). */
 typedef struct Seen {
 	Rgb color;
 	Rgb caustic;             /* the part of color that photons brought */

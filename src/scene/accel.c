@@ -1,10 +1,11 @@
 /*
- * Three ways to ask shapes for a ray, chosen by what a scene holds: a plain loop with a box test when there are few bounded
- * shapes (starting Embree would cost more than it saves), an Embree scene for many, and a list for the unbounded.
+ * Three ways to ask shapes for a ray, chosen by what a scene holds: a plain loop with a box test
+ * when there are few bounded shapes (starting Embree would cost more than it saves), an Embree
+ * scene for many, and a list for the unbounded.
  *
- * Embree works in single precision, but only to find candidates: boxes are padded by the rounding that can happen, a ray is
- * started where it enters the scene's box so that a far eye costs no bits, and every crossing is computed in double precision
- * from the ray carried in the context.
+ * Embree works in single precision, but only to find candidates: boxes are padded by the rounding
+ * that can happen, a ray is started where it enters the scene's box so that a far eye costs no
+ * bits, and every crossing is computed in double precision from the ray carried in the context.
  */
 #include "scene/accel.h"
 
@@ -20,8 +21,10 @@
 #include "geom/mesh.h"
 
 enum {
-	LOOP_SHAPES = 6,        /* so many bounded shapes are asked one by one; measured: Embree wins from 7 on */
-	PARALLEL_BUILD = 20000, /* primitives from which a build in parallel pays for starting threads */
+	LOOP_SHAPES = 6, /* so many bounded shapes are asked one by one; measured: Embree wins from
+			    7 on */
+	PARALLEL_BUILD =
+		20000, /* primitives from which a build in parallel pays for starting threads */
 };
 
 struct Accel {
@@ -29,7 +32,8 @@ struct Accel {
 	int unbounded_count;
 	const Shape **bounded; /* all but the meshes that Embree has as triangles */
 	int bounded_count;
-	const Shape **meshes;  /* geometry number i + 1 of the Embree scene, 0 are the bounded ones */
+	const Shape *
+		*meshes; /* geometry number i + 1 of the Embree scene, 0 are the bounded ones */
 	int mesh_count;
 	Box3 box;              /* of bounded and meshes */
 	double pad;            /* what single precision can be off by */
@@ -56,12 +60,14 @@ typedef struct Query {
 static bool box_range(const Box3 *box, const Ray *ray, double *t0, double *t1)
 {
 	double enter = ray->tmin, leave = ray->tmax;
-	const double *o = &ray->origin.x, *d = &ray->direction.x, *lo = &box->lo.x, *hi = &box->hi.x;
+	const double *o = &ray->origin.x, *d = &ray->direction.x, *lo = &box->lo.x,
+		     *hi = &box->hi.x;
 	for (int axis = 0; axis < 3; axis++) {
 		double inverse = 1 / d[axis];
 		double a = (lo[axis] - o[axis]) * inverse, b = (hi[axis] - o[axis]) * inverse;
 		double near = inverse < 0 ? b : a, far = inverse < 0 ? a : b;
-		/* Comparisons are false for NaN (a ray within a face's plane): that axis does not cut. */
+		/* Comparisons are false for NaN (a ray within a face's plane): that axis does not
+		 * cut. */
 		enter = near > enter ? near : enter;
 		leave = far < leave ? far : leave;
 	}
@@ -81,7 +87,9 @@ static void query_take(Query *query, const Hit *hit)
 static bool query_rest(Query *query, const Shape *shape, double after)
 {
 	Ray ray = query->ray;
-	ray.tmin = after + 1e-10 * fmax(1, fabs(after)); /* beyond the refused one, however it was rounded */
+	ray.tmin = after +
+		   1e-10 * fmax(1,
+				fabs(after)); /* beyond the refused one, however it was rounded */
 	HitList list;
 	hit_list_init(&list);
 	shape_intersect(shape, &ray, &list);
@@ -112,8 +120,8 @@ static bool query_list(Query *query, const Shape *const *shapes, int count, bool
 {
 	double t0, t1;
 	for (int i = 0; i < count; i++)
-		if ((!boxed || box_range(&shapes[i]->box, &query->ray, &t0, &t1)) && query_shape(query, shapes[i]) &&
-		    query->any)
+		if ((!boxed || box_range(&shapes[i]->box, &query->ray, &t0, &t1)) &&
+		    query_shape(query, shapes[i]) && query->any)
 			return true;
 	return query->found;
 }
@@ -132,7 +140,8 @@ static void bound_shape(const struct RTCBoundsFunctionArguments *args)
 	args->bounds_o->upper_z = (float)(box->hi.z + accel->pad);
 }
 
-/* The end of Embree's ray for a crossing at t: a little beyond, so that nothing nearer is lost to rounding. */
+/* The end of Embree's ray for a crossing at t: a little beyond, so that nothing nearer is lost to
+ * rounding. */
 static float embree_end(const Query *query, double t)
 {
 	double length = t - query->start;
@@ -144,7 +153,8 @@ static void intersect_shape(const struct RTCIntersectFunctionNArguments *args)
 	Query *query = (Query *)args->context;
 	const Shape *shape = query->accel->bounded[args->primID];
 	double t0, t1;
-	if (!args->valid[0] || !box_range(&shape->box, &query->ray, &t0, &t1) || !query_shape(query, shape))
+	if (!args->valid[0] || !box_range(&shape->box, &query->ray, &t0, &t1) ||
+	    !query_shape(query, shape))
 		return;
 	struct RTCRayHit *rayhit = (struct RTCRayHit *)args->rayhit;
 	rayhit->ray.tfar = query->any ? -INFINITY : embree_end(query, query->best.t);
@@ -157,7 +167,8 @@ static void occluded_shape(const struct RTCOccludedFunctionNArguments *args)
 	Query *query = (Query *)args->context;
 	const Shape *shape = query->accel->bounded[args->primID];
 	double t0, t1;
-	if (!args->valid[0] || !box_range(&shape->box, &query->ray, &t0, &t1) || !query_shape(query, shape))
+	if (!args->valid[0] || !box_range(&shape->box, &query->ray, &t0, &t1) ||
+	    !query_shape(query, shape))
 		return;
 	((struct RTCRay *)args->ray)->tfar = -INFINITY;
 }
@@ -182,8 +193,9 @@ static void filter_triangle(const struct RTCFilterFunctionNArguments *args)
 	Query *query = (Query *)args->context;
 	const struct RTCHit *candidate = (const struct RTCHit *)args->hit;
 	Hit hit;
-	bool counts = triangle_hit(query, query->accel->meshes[candidate->geomID - 1], candidate->primID, &hit) &&
-		(!query->filter || query->filter(query->data, &query->ray, &hit));
+	bool counts = triangle_hit(query, query->accel->meshes[candidate->geomID - 1],
+				   candidate->primID, &hit) &&
+		      (!query->filter || query->filter(query->data, &query->ray, &hit));
 	if (counts)
 		query_take(query, &hit);
 	else
@@ -196,9 +208,15 @@ static struct RTCRay embree_ray(Query *query, double enter, double leave)
 	query->start = enter;
 	Vec3 origin = ray_at(ray, enter);
 	return (struct RTCRay){
-		.org_x = (float)origin.x, .org_y = (float)origin.y, .org_z = (float)origin.z,
-		.dir_x = (float)ray->direction.x, .dir_y = (float)ray->direction.y, .dir_z = (float)ray->direction.z,
-		.tnear = 0, .tfar = embree_end(query, leave), .mask = UINT32_MAX,
+		.org_x = (float)origin.x,
+		.org_y = (float)origin.y,
+		.org_z = (float)origin.z,
+		.dir_x = (float)ray->direction.x,
+		.dir_y = (float)ray->direction.y,
+		.dir_z = (float)ray->direction.z,
+		.tnear = 0,
+		.tfar = embree_end(query, leave),
+		.mask = UINT32_MAX,
 	};
 }
 
@@ -261,11 +279,13 @@ static void attach_mesh(Accel *accel, const Shape *shape, unsigned id)
 {
 	const Mesh *mesh = shape->data;
 	RTCGeometry geometry = rtcNewGeometry(accel->device, RTC_GEOMETRY_TYPE_TRIANGLE);
-	float *vertices = rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3,
-	                                          3 * sizeof(float), (size_t)mesh->desc.vertex_count);
+	float *vertices = rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0,
+						  RTC_FORMAT_FLOAT3, 3 * sizeof(float),
+						  (size_t)mesh->desc.vertex_count);
 	copy_vertices(shape, mesh, vertices);
-	unsigned *indices = rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3,
-	                                            3 * sizeof(unsigned), (size_t)mesh->desc.triangle_count);
+	unsigned *indices = rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0,
+						    RTC_FORMAT_UINT3, 3 * sizeof(unsigned),
+						    (size_t)mesh->desc.triangle_count);
 	for (int i = 0; i < mesh->desc.triangle_count; i++)
 		for (int k = 0; k < 3; k++)
 			indices[3 * i + k] = (unsigned)mesh->desc.triangles[i][k];
@@ -281,7 +301,8 @@ static void build_embree(Accel *accel, long primitives)
 	snprintf(config, sizeof config, "threads=%d", threads);
 	accel->device = rtcNewDevice(config);
 	accel->scene = rtcNewScene(accel->device);
-	rtcSetSceneFlags(accel->scene, RTC_SCENE_FLAG_ROBUST | RTC_SCENE_FLAG_CONTEXT_FILTER_FUNCTION);
+	rtcSetSceneFlags(accel->scene,
+			 RTC_SCENE_FLAG_ROBUST | RTC_SCENE_FLAG_CONTEXT_FILTER_FUNCTION);
 	if (accel->bounded_count)
 		attach_shapes(accel);
 	for (int i = 0; i < accel->mesh_count; i++)
@@ -320,7 +341,8 @@ static long sort_shapes(Accel *accel, const Shape *const *shapes, int count)
 
 static void pad_box(Accel *accel)
 {
-	Vec3 size = vec3_max(vec3_max(accel->box.hi, vec3_neg(accel->box.lo)), vec3_sub(accel->box.hi, accel->box.lo));
+	Vec3 size = vec3_max(vec3_max(accel->box.hi, vec3_neg(accel->box.lo)),
+			     vec3_sub(accel->box.hi, accel->box.lo));
 	accel->pad = 4 * (double)FLT_EPSILON * fmax(size.x, fmax(size.y, size.z));
 	accel->box.lo = vec3_sub(accel->box.lo, vec3_all(accel->pad));
 	accel->box.hi = vec3_add(accel->box.hi, vec3_all(accel->pad));
@@ -331,7 +353,9 @@ Accel *accel_create(const Shape *const *shapes, int count)
 	Accel *accel = memory_alloc(sizeof *accel);
 	size_t bytes = sizeof(Shape *) * (size_t)(count > 0 ? count : 1);
 	*accel = (Accel){
-		.unbounded = memory_alloc(bytes), .bounded = memory_alloc(bytes), .meshes = memory_alloc(bytes),
+		.unbounded = memory_alloc(bytes),
+		.bounded = memory_alloc(bytes),
+		.meshes = memory_alloc(bytes),
 		.box = box3_empty(),
 	};
 	long primitives = sort_shapes(accel, shapes, count);
@@ -373,7 +397,8 @@ bool accel_any(const Accel *accel, const Ray *ray, AccelFilter *visit, void *dat
 	return query_run(&query);
 }
 
-/* The primitive that speaks for a shape at a point inside: of a union the part that holds the point. */
+/* The primitive that speaks for a shape at a point inside: of a union the part that holds the
+ * point. */
 static const Shape *speaking_primitive(const Shape *shape, Vec3 p)
 {
 	while (shape->class == &csg_union_class || shape->class == &csg_merge_class ||
@@ -388,7 +413,8 @@ static const Shape *speaking_primitive(const Shape *shape, Vec3 p)
 	return shape;
 }
 
-static int collect_containing(const Shape *const *shapes, int count, Vec3 p, const Shape **out, int max)
+static int collect_containing(const Shape *const *shapes, int count, Vec3 p, const Shape **out,
+			      int max)
 {
 	int found = 0;
 	for (int i = 0; i < count && found < max; i++)
@@ -402,6 +428,8 @@ int accel_containing(const Accel *accel, Vec3 p, const Shape **out, int max)
 	int found = collect_containing(accel->unbounded, accel->unbounded_count, p, out, max);
 	if (!box3_contains(accel->box, p))
 		return found;
-	found += collect_containing(accel->bounded, accel->bounded_count, p, out + found, max - found);
-	return found + collect_containing(accel->meshes, accel->mesh_count, p, out + found, max - found);
+	found += collect_containing(accel->bounded, accel->bounded_count, p, out + found,
+				    max - found);
+	return found +
+	       collect_containing(accel->meshes, accel->mesh_count, p, out + found, max - found);
 }

@@ -1,7 +1,7 @@
 /*
- * Every projection is a function from a point of the image, x and y in [-1/2, 1/2] with y upward, to a ray in the frame of
- * direction, right and up. The formulas follow POV-Ray 3.7's manual, section 3.4.2.2; what it leaves open (which lengths
- * count) was measured from its images.
+ * Every projection is a function from a point of the image, x and y in [-1/2, 1/2] with y upward,
+ * to a ray in the frame of direction, right and up. The formulas follow POV-Ray 3.7's manual,
+ * section 3.4.2.2; what it leaves open (which lengths count) was measured from its images.
  */
 #include "scene/camera.h"
 
@@ -22,8 +22,15 @@ Camera camera_default(double aspect)
 {
 	return (Camera){
 		.kind = CAMERA_PERSPECTIVE,
-		.direction = {0, 0, 1}, .right = {aspect, 0, 0}, .up = {0, 1, 0}, .sky = {0, 1, 0},
-		.h_angle = 360, .v_angle = 180, .blur_samples_min = 0, .confidence = 0.9, .variance = 1.0 / 10000,
+		.direction = {0, 0, 1},
+		.right = {aspect, 0, 0},
+		.up = {0, 1, 0},
+		.sky = {0, 1, 0},
+		.h_angle = 360,
+		.v_angle = 180,
+		.blur_samples_min = 0,
+		.confidence = 0.9,
+		.variance = 1.0 / 10000,
 	};
 }
 
@@ -42,8 +49,10 @@ static bool project_perspective(const Camera *camera, const ImagePoint *at, Ray 
 {
 	double length = 1;
 	if (camera->angle > 0)
-		length = vec3_length(camera->right) / (2 * tan(radians(camera->angle) / 2)) / vec3_length(camera->direction);
-	ray->direction = combine(camera->right, at->x, camera->up, at->y, camera->direction, length);
+		length = vec3_length(camera->right) / (2 * tan(radians(camera->angle) / 2)) /
+			 vec3_length(camera->direction);
+	ray->direction = combine(camera->right, at->x, camera->up, at->y, camera->direction,
+				 length);
 	return true;
 }
 
@@ -54,12 +63,13 @@ static bool project_orthographic(const Camera *camera, const ImagePoint *at, Ray
 	return true;
 }
 
-/* A direction at the angle theta from the view, towards (x, y) of length radius in the image plane. */
+/* A direction at the angle theta from the view, towards (x, y) of length radius in the image plane.
+ */
 static Vec3 polar_direction(const Camera *camera, const ImagePoint *at, double radius, double theta)
 {
 	double scale = radius > 0 ? sin(theta) / radius : 0;
-	return combine(vec3_normalize(camera->right), at->x * scale, vec3_normalize(camera->up), at->y * scale,
-	               vec3_normalize(camera->direction), cos(theta));
+	return combine(vec3_normalize(camera->right), at->x * scale, vec3_normalize(camera->up),
+		       at->y * scale, vec3_normalize(camera->direction), cos(theta));
 }
 
 static bool project_fisheye(const Camera *camera, const ImagePoint *at, Ray *ray)
@@ -78,13 +88,14 @@ static bool project_ultra_wide(const Camera *camera, const ImagePoint *at, Ray *
 	double angle = radians(camera->angle > 0 ? camera->angle : 180);
 	double x = at->x * angle;
 	double y = at->y * angle * vec3_length(camera->up) / vec3_length(camera->right);
-	ray->direction = combine(vec3_normalize(camera->right), sin(x), vec3_normalize(camera->up), sin(y),
-	                         vec3_normalize(camera->direction), cos(x) * cos(y));
+	ray->direction = combine(vec3_normalize(camera->right), sin(x), vec3_normalize(camera->up),
+				 sin(y), vec3_normalize(camera->direction), cos(x) * cos(y));
 	return true;
 }
 
-/* The lens of dome cinemas: the polynomial is its radial distortion. The film's frame shows the disc down to 45 degrees below
- * the horizon, and is as wide as the disc when it is not too narrow; measured. */
+/* The lens of dome cinemas: the polynomial is its radial distortion. The film's frame shows the
+ * disc down to 45 degrees below the horizon, and is as wide as the disc when it is not too narrow;
+ * measured. */
 static bool project_omnimax(const Camera *camera, const ImagePoint *at, Ray *ray)
 {
 	const double frame = 0.77914; /* half of 1 + the radius that sees 45 degrees */
@@ -100,7 +111,8 @@ static bool project_omnimax(const Camera *camera, const ImagePoint *at, Ray *ray
 	return radius <= 1 && rise + cos(theta) >= 0;
 }
 
-/* An upright cylinder around the eye, half a turn wide, the height of the image all of it; no angle counts. */
+/* An upright cylinder around the eye, half a turn wide, the height of the image all of it; no angle
+ * counts. */
 static bool project_panoramic(const Camera *camera, const ImagePoint *at, Ray *ray)
 {
 	ray->direction = combine(camera->right, sin(PI * at->x), camera->up, tan(PI * at->y),
@@ -111,12 +123,14 @@ static bool project_panoramic(const Camera *camera, const ImagePoint *at, Ray *r
 static bool project_spherical(const Camera *camera, const ImagePoint *at, Ray *ray)
 {
 	double x = at->x * radians(camera->h_angle), y = at->y * radians(camera->v_angle);
-	ray->direction = combine(vec3_normalize(camera->right), cos(y) * sin(x), vec3_normalize(camera->up), sin(y),
-	                         vec3_normalize(camera->direction), cos(y) * cos(x));
+	ray->direction = combine(vec3_normalize(camera->right), cos(y) * sin(x),
+				 vec3_normalize(camera->up), sin(y),
+				 vec3_normalize(camera->direction), cos(y) * cos(x));
 	return true;
 }
 
-/* 1 and 3 wrap the image around an upright cylinder, 2 and 4 around a lying one; in 3 and 4 the eye moves along the axis. */
+/* 1 and 3 wrap the image around an upright cylinder, 2 and 4 around a lying one; in 3 and 4 the eye
+ * moves along the axis. */
 static bool project_cylinder(const Camera *camera, const ImagePoint *at, Ray *ray)
 {
 	bool upright = camera->cylinder == 1 || camera->cylinder == 3;
@@ -124,7 +138,8 @@ static bool project_cylinder(const Camera *camera, const ImagePoint *at, Ray *ra
 	double along = upright ? at->y : at->x;
 	Vec3 across = vec3_normalize(upright ? camera->right : camera->up);
 	Vec3 axis = upright ? camera->up : camera->right;
-	ray->direction = combine(across, sin(turn), axis, 0, vec3_normalize(camera->direction), cos(turn));
+	ray->direction = combine(across, sin(turn), axis, 0, vec3_normalize(camera->direction),
+				 cos(turn));
 	if (camera->cylinder <= 2)
 		ray->direction = vec3_mad(ray->direction, along, axis);
 	else
@@ -155,7 +170,8 @@ static Vec2 disc_point(Vec2 square)
 	return (Vec2){radius * cos(angle), radius * sin(angle)};
 }
 
-/* Moves the ray's start within the aperture; it goes on through the same point of the plane in focus. */
+/* Moves the ray's start within the aperture; it goes on through the same point of the plane in
+ * focus. */
 static void focus_ray(const Camera *camera, Vec2 lens, Ray *ray)
 {
 	Vec2 disc = disc_point(lens);
@@ -166,8 +182,8 @@ static void focus_ray(const Camera *camera, Vec2 lens, Ray *ray)
 	double along = vec3_dot(ray->direction, view);
 	Vec3 focus = vec3_mad(ray->origin, distance / (along != 0 ? along : 1), ray->direction);
 	double radius = camera->aperture / 2;
-	ray->origin = combine(vec3_normalize(camera->right), disc.u * radius, vec3_normalize(camera->up), disc.v * radius,
-	                      ray->origin, 1);
+	ray->origin = combine(vec3_normalize(camera->right), disc.u * radius,
+			      vec3_normalize(camera->up), disc.v * radius, ray->origin, 1);
 	ray->direction = vec3_sub(focus, ray->origin);
 }
 
@@ -180,12 +196,14 @@ static void perturb_ray(const Camera *camera, const ImagePoint *at, Ray *ray)
 	ray->direction = normal_perturb(camera->normal, &point, ray->direction);
 }
 
-bool camera_ray(const Camera *camera, double x, double y, int width, int height, Vec2 lens, Ray *out)
+bool camera_ray(const Camera *camera, double x, double y, int width, int height, Vec2 lens,
+		Ray *out)
 {
 	ImagePoint at = {x / width - 0.5, 0.5 - y / height, width, height};
 	*out = (Ray){.origin = camera->location, .tmin = 0, .tmax = INFINITY};
 	if (camera->kind == CAMERA_MESH)
-		return mesh_camera_ray(camera->mesh, 0, (Vec2){x, y}, (const int[]){width, height}, out);
+		return mesh_camera_ray(camera->mesh, 0, (Vec2){x, y}, (const int[]){width, height},
+				       out);
 	if (!projections[camera->kind](camera, &at, out))
 		return false;
 	if (camera->normal) {

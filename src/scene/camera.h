@@ -8,8 +8,15 @@
 #include "surface/texture.h"
 
 typedef enum CameraKind {
-	CAMERA_PERSPECTIVE, CAMERA_ORTHOGRAPHIC, CAMERA_FISHEYE, CAMERA_ULTRA_WIDE, CAMERA_OMNIMAX, CAMERA_PANORAMIC,
-	CAMERA_SPHERICAL, CAMERA_CYLINDER, CAMERA_MESH
+	CAMERA_PERSPECTIVE,
+	CAMERA_ORTHOGRAPHIC,
+	CAMERA_FISHEYE,
+	CAMERA_ULTRA_WIDE,
+	CAMERA_OMNIMAX,
+	CAMERA_PANORAMIC,
+	CAMERA_SPHERICAL,
+	CAMERA_CYLINDER,
+	CAMERA_MESH
 } CameraKind;
 
 typedef struct Camera {
@@ -31,9 +38,10 @@ typedef struct Camera {
 
 Camera camera_default(double aspect);
 
-/* The eye ray through the image point (x, y) in pixels (0,0 the upper left corner; pixel centres at halves) of a width x
- * height image; lens is a point of the unit square for focal blur, {0.5, 0.5} the pinhole. False where the camera sees
- * nothing (outside a fisheye's circle). */
-bool camera_ray(const Camera *camera, double x, double y, int width, int height, Vec2 lens, Ray *out);
+/* The eye ray through the image point (x, y) in pixels (0,0 the upper left corner; pixel centres at
+ * halves) of a width x height image; lens is a point of the unit square for focal blur, {0.5, 0.5}
+ * the pinhole. False where the camera sees nothing (outside a fisheye's circle). */
+bool camera_ray(const Camera *camera, double x, double y, int width, int height, Vec2 lens,
+		Ray *out);
 
 #endif

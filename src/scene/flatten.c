@@ -15,7 +15,8 @@ static void list_push(List *list, const void *item)
 {
 	if (list->count == list->capacity) {
 		list->capacity = list->capacity ? 2 * list->capacity : 16;
-		list->items = memory_resize(list->items, (size_t)list->capacity * sizeof *list->items);
+		list->items = memory_resize(list->items,
+					    (size_t)list->capacity * sizeof *list->items);
 	}
 	list->items[list->count++] = item;
 }
@@ -24,7 +25,8 @@ static const void *list_finish(List *list, Arena *arena)
 {
 	if (!list->count)
 		return NULL;
-	const void *copy = arena_copy(arena, list->items, (size_t)list->count * sizeof *list->items);
+	const void *copy = arena_copy(arena, list->items,
+				      (size_t)list->count * sizeof *list->items);
 	free(list->items);
 	return copy;
 }
@@ -57,7 +59,8 @@ static void inherit_flag(bool *flag, Tristate own)
 
 static const Transform *keep_transform(Arena *arena, const Transform *transform)
 {
-	return transform_is_identity(transform) ? NULL : arena_copy(arena, transform, sizeof *transform);
+	return transform_is_identity(transform) ? NULL
+						: arena_copy(arena, transform, sizeof *transform);
 }
 
 static void inherit_flags(Surface *surface, const ObjectFlags *flags)
@@ -113,7 +116,8 @@ static bool textures_are_opaque(const Surface *surface)
 	return true;
 }
 
-/* uv_mapping of the object lays its textures out over (u, v); from here on the flag says that some texture needs these. */
+/* uv_mapping of the object lays its textures out over (u, v); from here on the flag says that some
+ * texture needs these. */
 static void apply_uv_mapping(Arena *arena, Surface *surface)
 {
 	bool whole = surface->uv_mapping;
@@ -149,8 +153,9 @@ static const Surface *keep_surface(Flatten *flatten, State *state)
 static bool shares_surface(const Object *object)
 {
 	const ObjectFlags none = object_default(OBJECT_UNION).flags;
-	return !object->texture && !object->interior_texture && !object->interior && !object->texture_count &&
-	       !object->estimator && object->photon_spacing == 0 && memcmp(&object->flags, &none, sizeof none) == 0;
+	return !object->texture && !object->interior_texture && !object->interior &&
+	       !object->texture_count && !object->estimator && object->photon_spacing == 0 &&
+	       memcmp(&object->flags, &none, sizeof none) == 0;
 }
 
 static Shape *new_shape(Flatten *flatten, const ShapeClass *class, const void *data)
@@ -181,7 +186,8 @@ static void place_shape(Flatten *flatten, Shape *shape, const Transform *world)
 	const ShapeClass *class = shape->class;
 	if (transform_is_identity(world))
 		return;
-	const void *placed = class->placed ? class->placed(flatten->arena, shape->data, world) : NULL;
+	const void *placed = class->placed ? class->placed(flatten->arena, shape->data, world)
+					   : NULL;
 	if (placed)
 		shape->data = placed;
 	else
@@ -198,7 +204,8 @@ static void emit_primitive(Flatten *flatten, const Object *object, State *state,
 		if (object->texture_count) {
 			state->surface.textures = object->textures;
 			state->surface.texture_count = object->texture_count;
-			state->surface.numbered_attach = keep_transform(flatten->arena, &state->world);
+			state->surface.numbered_attach = keep_transform(flatten->arena,
+									&state->world);
 		}
 		shape->owner = keep_surface(flatten, state);
 	}
@@ -215,19 +222,24 @@ static const Shape *single_shape(Flatten *flatten, const Object *object, State *
 		free(members.items);
 		return only;
 	}
-	const Csg *csg = csg_create(flatten->arena, list_finish(&members, flatten->arena), members.count);
+	const Csg *csg = csg_create(flatten->arena, list_finish(&members, flatten->arena),
+				    members.count);
 	Shape *shape = new_shape(flatten, &csg_union_class, csg);
 	shape_finish(shape);
 	return shape;
 }
 
 /* Lights are collected from everywhere but are no shape. */
-static bool has_shape(const Object *object) { return object->kind != OBJECT_LIGHT || object->child_count > 0; }
+static bool has_shape(const Object *object)
+{
+	return object->kind != OBJECT_LIGHT || object->child_count > 0;
+}
 
 static void emit_csg(Flatten *flatten, const Object *object, State *state, List *out)
 {
 	bool outward = object->kind == OBJECT_UNION || object->kind == OBJECT_MERGE;
-	const ShapeClass *class = outward == state->inverted ? &csg_intersection_class : &csg_merge_class;
+	const ShapeClass *class = outward == state->inverted ? &csg_intersection_class
+							     : &csg_merge_class;
 	State inner = *state;
 	List members = {0};
 	inner.clip_count = inner.bound_count = 0;
@@ -238,7 +250,8 @@ static void emit_csg(Flatten *flatten, const Object *object, State *state, List 
 		if (has_shape(object->children[i]))
 			list_push(&members, member);
 	}
-	const Csg *csg = csg_create(flatten->arena, list_finish(&members, flatten->arena), members.count);
+	const Csg *csg = csg_create(flatten->arena, list_finish(&members, flatten->arena),
+				    members.count);
 	list_push(out, finish_shape(new_shape(flatten, class, csg), state));
 }
 
@@ -269,7 +282,8 @@ static void emit_light(Flatten *flatten, const Object *object, State *state, Lis
 			Transform back = transform_inverse(&object->transform);
 			outer.world = transform_compose(&back, &state->world);
 			Flatten shapes = {.arena = flatten->arena};
-			light->projected_through = single_shape(&shapes, object->projected_through, &outer);
+			light->projected_through = single_shape(&shapes, object->projected_through,
+								&outer);
 		}
 		state->surface.no_shadow = true;
 		state->made = NULL;
@@ -287,7 +301,8 @@ static void emit_group(Flatten *flatten, const Object *object, State *state, Lis
 
 /* The parent's clips or bounds and the object's own, which stand in the parent's space. */
 static const Shape *const *join_clips(Flatten *flatten, const Shape *const *outer, int *count,
-                                      const Object *const *own, int own_count, const Transform *world)
+				      const Object *const *own, int own_count,
+				      const Transform *world)
 {
 	if (!own_count)
 		return outer;
@@ -308,14 +323,15 @@ static State enter(Flatten *flatten, const Object *object, State *parent)
 	State state = *parent;
 	state.world = transform_compose(&object->transform, &parent->world);
 	state.inverted = parent->inverted != object->inverse;
-	state.clip = join_clips(flatten, parent->clip, &state.clip_count, object->clip, object->clip_count,
-	                        &parent->world);
-	state.bound = join_clips(flatten, parent->bound, &state.bound_count, object->bound, object->bound_count,
-	                         &parent->world);
+	state.clip = join_clips(flatten, parent->clip, &state.clip_count, object->clip,
+				object->clip_count, &parent->world);
+	state.bound = join_clips(flatten, parent->bound, &state.bound_count, object->bound,
+				 object->bound_count, &parent->world);
 	if (!flatten->surfaces)
 		return state;
 	if (shares_surface(object)) {
-		state.made = object->kind == OBJECT_PRIMITIVE ? keep_surface(flatten, parent) : parent->made;
+		state.made = object->kind == OBJECT_PRIMITIVE ? keep_surface(flatten, parent)
+							      : parent->made;
 	} else {
 		state.surface = inherit_surface(flatten->arena, object, parent);
 		state.made = NULL;
@@ -356,7 +372,10 @@ static Surface surface_default(Arena *arena)
 	*finish = finish_default();
 	texture->pigment = pigment;
 	texture->finish = finish;
-	return (Surface){.texture = texture, .global_lights = true, .photons_collect = true, .relaxation = true};
+	return (Surface){.texture = texture,
+			 .global_lights = true,
+			 .photons_collect = true,
+			 .relaxation = true};
 }
 
 FlatScene scene_flatten(Arena *arena, const Object *const *objects, int count)

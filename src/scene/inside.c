@@ -28,9 +28,11 @@ void inside_cross(InsideStack *stack, const Surface *surface)
 	int at = find(stack, surface);
 	if (at >= 0) {
 		stack->count--;
-		memmove(&stack->items[at], &stack->items[at + 1], sizeof *stack->items * (size_t)(stack->count - at));
+		memmove(&stack->items[at], &stack->items[at + 1],
+			sizeof *stack->items * (size_t)(stack->count - at));
 	} else if (stack->count < INSIDE_MAX) {
-		stack->items[stack->count++] = (InsideItem){surface->interior, surface->id, surface->hollow};
+		stack->items[stack->count++] = (InsideItem){surface->interior, surface->id,
+							    surface->hollow};
 	}
 }
 
@@ -60,7 +62,8 @@ double inside_ratio_of_hue(const InsideStack *stack, const Surface *surface, dou
 {
 	int at = find(stack, surface);
 	double own = ior_of(surface->interior, hue);
-	return at >= 0 ? top_ior(stack, -1, hue) / top_ior(stack, at, hue) : top_ior(stack, -1, hue) / own;
+	return at >= 0 ? top_ior(stack, -1, hue) / top_ior(stack, at, hue)
+		       : top_ior(stack, -1, hue) / own;
 }
 
 double inside_ratio(const InsideStack *stack, const Surface *surface)

@@ -1,7 +1,8 @@
 /*
- * Which objects' insides a ray is in, in the order in which it entered them: for indices of refraction, attenuation, and
- * whether fog reaches here. A surface is known by its object
- * and interior: parts of a union with one interior are one, two objects with the same declared one are not.
+ * Which objects' insides a ray is in, in the order in which it entered them: for indices of
+ * refraction, attenuation, and whether fog reaches here. A surface is known by its object and
+ * interior: parts of a union with one interior are one, two objects with the same declared one are
+ * not.
  */
 #ifndef SCENE_INSIDE_H
 #define SCENE_INSIDE_H
@@ -27,9 +28,11 @@ bool inside_has(const InsideStack *stack, const Surface *surface);
 void inside_cross(InsideStack *stack, const Surface *surface);
 /* True when the ray is in no object that is not hollow: fog and the sky's media are here. */
 bool inside_is_open(const InsideStack *stack);
-/* Index of refraction on this side of the surface over the other side's, for a ray about to cross it. */
+/* Index of refraction on this side of the surface over the other side's, for a ray about to cross
+ * it. */
 double inside_ratio(const InsideStack *stack, const Surface *surface);
-/* The same for one colour of light: hue 0 is red, 1 is violet, 0.5 has the index that the scene gives. */
+/* The same for one colour of light: hue 0 is red, 1 is violet, 0.5 has the index that the scene
+ * gives. */
 double inside_ratio_of_hue(const InsideStack *stack, const Surface *surface, double hue);
 
 #endif

@@ -8,7 +8,8 @@ static Vec3 vertex(const Mesh *mesh, int index)
 
 static Vec2 corner_uv(const Mesh *mesh, int face, int corner)
 {
-	const int (*indices)[3] = mesh->desc.uv_indices ? mesh->desc.uv_indices : mesh->desc.triangles;
+	const int (*indices)[3] = mesh->desc.uv_indices ? mesh->desc.uv_indices
+							: mesh->desc.triangles;
 	const float *uv = mesh->desc.uvs[indices[face][corner]];
 	return (Vec2){uv[0], uv[1]};
 }
@@ -43,8 +44,10 @@ typedef struct FaceSearch {
 static bool visit_face(void *data, int face)
 {
 	FaceSearch *search = data;
-	Vec2 a = corner_uv(search->mesh, face, 0), b = corner_uv(search->mesh, face, 1), c = corner_uv(search->mesh, face, 2);
-	double bu = b.u - a.u, bv = b.v - a.v, cu = c.u - a.u, cv = c.v - a.v, pu = search->at.u - a.u, pv = search->at.v - a.v;
+	Vec2 a = corner_uv(search->mesh, face, 0), b = corner_uv(search->mesh, face, 1),
+	     c = corner_uv(search->mesh, face, 2);
+	double bu = b.u - a.u, bv = b.v - a.v, cu = c.u - a.u, cv = c.v - a.v,
+	       pu = search->at.u - a.u, pv = search->at.v - a.v;
 	double area = bu * cv - bv * cu;
 	if (area == 0 || (search->face >= 0 && face > search->face))
 		return false;
@@ -65,11 +68,13 @@ typedef struct FacePlace {
 	double u, v;
 } FacePlace;
 
-/* Its length does not count; as POV-Ray has it, it points against the side from which the corners turn clockwise. */
+/* Its length does not count; as POV-Ray has it, it points against the side from which the corners
+ * turn clockwise. */
 static Vec3 face_normal(const Mesh *mesh, int face)
 {
 	const int *corners = mesh->desc.triangles[face];
-	Vec3 a = vertex(mesh, corners[0]), b = vertex(mesh, corners[1]), c = vertex(mesh, corners[2]);
+	Vec3 a = vertex(mesh, corners[0]), b = vertex(mesh, corners[1]),
+	     c = vertex(mesh, corners[2]);
 	return vec3_cross(vec3_sub(c, a), vec3_sub(b, a));
 }
 
@@ -90,7 +95,8 @@ static void ray_from(const MeshCamera *camera, const FacePlace *place, Ray *out)
 	Vec3 normal = smooth ? smooth_normal(mesh, place) : face_normal(mesh, place->face);
 	normal = vec3_normalize(transform_normal(&place->part->transform, normal));
 	out->direction = camera->reversed ? vec3_neg(normal) : normal;
-	out->origin = vec3_mad(transform_point(&place->part->transform, origin), camera->offset, normal);
+	out->origin = vec3_mad(transform_point(&place->part->transform, origin), camera->offset,
+			       normal);
 	out->tmin = 0;
 	out->tmax = camera->max_distance > 0 ? camera->max_distance : INFINITY;
 }
@@ -99,7 +105,8 @@ static bool find_by_uv(const MeshCamera *camera, Vec2 uv, FacePlace *place)
 {
 	for (int i = 0; i < camera->part_count; i++) {
 		FaceSearch search = {camera->parts[i].mesh, uv, -1, 0, 0};
-		box_tree_walk_point(camera->parts[i].by_uv, vec3(uv.u, uv.v, 0), visit_face, &search);
+		box_tree_walk_point(camera->parts[i].by_uv, vec3(uv.u, uv.v, 0), visit_face,
+				    &search);
 		if (search.face >= 0) {
 			*place = (FacePlace){&camera->parts[i], search.face, search.u, search.v};
 			return true;
@@ -125,7 +132,8 @@ static bool find_in_all(const MeshCamera *camera, long face, FacePlace *place)
 	return find_by_number(camera, part, face, place);
 }
 
-static bool find_place(const MeshCamera *camera, int number, Vec2 at, const int size[2], FacePlace *place)
+static bool find_place(const MeshCamera *camera, int number, Vec2 at, const int size[2],
+		       FacePlace *place)
 {
 	long x = (long)at.u, y = (long)at.v;
 	long width = camera->distribution == 2 ? size[0] / camera->part_count : size[0];
@@ -135,7 +143,8 @@ static bool find_place(const MeshCamera *camera, int number, Vec2 at, const int 
 	case 1:
 		return find_in_all(camera, (long)size[0] * size[1] * number + x + y * width, place);
 	case 2:
-		return width > 0 && find_by_number(camera, (int)(x / width), x % width + y * width, place);
+		return width > 0 &&
+		       find_by_number(camera, (int)(x / width), x % width + y * width, place);
 	default:
 		return find_by_uv(camera, (Vec2){at.u / size[0], 1 - at.v / size[1]}, place);
 	}

@@ -2,12 +2,26 @@
 
 Object object_default(ObjectKind kind)
 {
-	Object object = {.kind = kind, .transform = transform_identity(), .texture_transform = transform_identity()};
+	Object object = {.kind = kind,
+			 .transform = transform_identity(),
+			 .texture_transform = transform_identity()};
 	object.flags = (ObjectFlags){
-		.hollow = UNSET, .no_shadow = UNSET, .no_image = UNSET, .no_reflection = UNSET, .no_radiosity = UNSET,
-		.double_illuminate = UNSET, .uv_mapping = UNSET, .cutaway_textures = UNSET, .split_union = UNSET,
-		.global_lights = UNSET, .photons_target = UNSET, .photons_refraction = UNSET, .photons_reflection = UNSET,
-		.photons_collect = UNSET, .photons_pass_through = UNSET, .relaxation = UNSET,
+		.hollow = UNSET,
+		.no_shadow = UNSET,
+		.no_image = UNSET,
+		.no_reflection = UNSET,
+		.no_radiosity = UNSET,
+		.double_illuminate = UNSET,
+		.uv_mapping = UNSET,
+		.cutaway_textures = UNSET,
+		.split_union = UNSET,
+		.global_lights = UNSET,
+		.photons_target = UNSET,
+		.photons_refraction = UNSET,
+		.photons_reflection = UNSET,
+		.photons_collect = UNSET,
+		.photons_pass_through = UNSET,
+		.relaxation = UNSET,
 	};
 	return object;
 }
@@ -34,5 +48,6 @@ void object_transform(Arena *arena, Object *object, const Transform *transform)
 	if (object->bound_count)
 		object->bound = transform_all(arena, object->bound, object->bound_count, transform);
 	if (object->projected_through)
-		object->projected_through = transform_all(arena, &object->projected_through, 1, transform)[0];
+		object->projected_through = transform_all(arena, &object->projected_through, 1,
+							  transform)[0];
 }

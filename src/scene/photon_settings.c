@@ -12,9 +12,14 @@ bool photon_estimator_named(const char *name, Estimator *out)
 		Estimator estimator;
 	} rows[] = {
 		{"povray", {.kind = ESTIMATOR_NEAREST}},
-		{"nearest", {.kind = ESTIMATOR_NEAREST, .kernel = KERNEL_EPANECHNIKOV, .count = NEAREST_COUNT}},
-		{"diffusion", {.kind = ESTIMATOR_DIFFUSION}}, {"footprint", {.kind = ESTIMATOR_FOOTPRINT}},
-		{"deep", {.kind = ESTIMATOR_DEEP}}, {"adaptive", {.kind = ESTIMATOR_ADAPTIVE, .kernel = KERNEL_GAUSSIAN}},
+		{"nearest",
+		 {.kind = ESTIMATOR_NEAREST,
+		  .kernel = KERNEL_EPANECHNIKOV,
+		  .count = NEAREST_COUNT}},
+		{"diffusion", {.kind = ESTIMATOR_DIFFUSION}},
+		{"footprint", {.kind = ESTIMATOR_FOOTPRINT}},
+		{"deep", {.kind = ESTIMATOR_DEEP}},
+		{"adaptive", {.kind = ESTIMATOR_ADAPTIVE, .kernel = KERNEL_GAUSSIAN}},
 	};
 	for (size_t i = 0; i < sizeof rows / sizeof *rows; i++)
 		if (strcmp(rows[i].name, name) == 0) {
@@ -27,14 +32,25 @@ bool photon_estimator_named(const char *name, Estimator *out)
 /* Spencer and Jones 2013, section 5: seven iterations in each space, 50 and 16 neighbours. */
 Relaxation relaxation_default(void)
 {
-	return (Relaxation){.on = true, .constrained = true, .parameter_iterations = 7, .world_iterations = 7,
-	                    .neighbors = 50, .repulsion_neighbors = 16, .range = 3};
+	return (Relaxation){.on = true,
+			    .constrained = true,
+			    .parameter_iterations = 7,
+			    .world_iterations = 7,
+			    .neighbors = 50,
+			    .repulsion_neighbors = 16,
+			    .range = 3};
 }
 
 PhotonSettings photon_settings_default(void)
 {
 	return (PhotonSettings){
-		.gather_min = 20, .gather_max = 100, .jitter = 0.4, .adc_bailout = -1, .expand_increase = 0.2,
-		.expand_min = 40, .media_factor = 1, .emitter_coordinates = true,
+		.gather_min = 20,
+		.gather_max = 100,
+		.jitter = 0.4,
+		.adc_bailout = -1,
+		.expand_increase = 0.2,
+		.expand_min = 40,
+		.media_factor = 1,
+		.emitter_coordinates = true,
 	};
 }

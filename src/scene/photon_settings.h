@@ -1,6 +1,6 @@
 /*
- * What scenes say about photons: POV-Ray's own words and the extension's. Plain data; lang fills it in, the photon rooms
- * read it.
+ * What scenes say about photons: POV-Ray's own words and the extension's. Plain data; lang fills it
+ * in, the photon rooms read it.
  */
 #ifndef SCENE_PHOTON_SETTINGS_H
 #define SCENE_PHOTON_SETTINGS_H
@@ -8,7 +8,11 @@
 #include <stdbool.h>
 
 typedef enum EstimatorKind {
-	ESTIMATOR_NEAREST, ESTIMATOR_DIFFUSION, ESTIMATOR_FOOTPRINT, ESTIMATOR_DEEP, ESTIMATOR_ADAPTIVE
+	ESTIMATOR_NEAREST,
+	ESTIMATOR_DIFFUSION,
+	ESTIMATOR_FOOTPRINT,
+	ESTIMATOR_DEEP,
+	ESTIMATOR_ADAPTIVE
 } EstimatorKind;
 
 typedef enum EstimatorKernel {
@@ -34,7 +38,13 @@ typedef struct Relaxation {
 	double range;
 } Relaxation;
 
-typedef enum Reduction { REDUCTION_APA, REDUCTION_PPM, REDUCTION_APPM, REDUCTION_CPPM, REDUCTION_SCHEDULE } Reduction;
+typedef enum Reduction {
+	REDUCTION_APA,
+	REDUCTION_PPM,
+	REDUCTION_APPM,
+	REDUCTION_CPPM,
+	REDUCTION_SCHEDULE
+} Reduction;
 
 typedef struct Progressive {
 	bool on;
@@ -70,7 +80,8 @@ typedef struct PhotonSettings {
 } PhotonSettings;
 
 PhotonSettings photon_settings_default(void);
-/* An estimator's settings when only its word is said; "povray" stands for saying nothing. False for other names. */
+/* An estimator's settings when only its word is said; "povray" stands for saying nothing. False for
+ * other names. */
 bool photon_estimator_named(const char *name, Estimator *out);
 Relaxation relaxation_default(void);
 

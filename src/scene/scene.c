@@ -8,13 +8,21 @@
 Settings settings_default(void)
 {
 	return (Settings){
-		.adc_bailout = 1.0 / 255, .ambient_light = {1, 1, 1}, .max_trace_level = 5, .max_intersections = 64,
-		.number_of_waves = 10, .noise_generator = 2, .irid_wavelength = {0.70f, 0.52f, 0.48f}, .mm_per_unit = 10,
-		.photons = photon_settings_default(), .version = 3.7,
+		.adc_bailout = 1.0 / 255,
+		.ambient_light = {1, 1, 1},
+		.max_trace_level = 5,
+		.max_intersections = 64,
+		.number_of_waves = 10,
+		.noise_generator = 2,
+		.irid_wavelength = {0.70f, 0.52f, 0.48f},
+		.mm_per_unit = 10,
+		.photons = photon_settings_default(),
+		.version = 3.7,
 	};
 }
 
-/* The array of count pointers with room for one more: its capacity is the next power of two. The arena keeps the old ones. */
+/* The array of count pointers with room for one more: its capacity is the next power of two. The
+ * arena keeps the old ones. */
 static void *grow(Arena *arena, const void *array, int count)
 {
 	if (count & (count - 1))
@@ -49,15 +57,25 @@ Scene *scene_freeze(SceneBuilder *builder)
 	Scene *scene = ARENA_NEW(arena, Scene);
 	FlatScene flat = scene_flatten(arena, builder->objects, builder->object_count);
 	*scene = (Scene){
-		.arena = arena, .settings = builder->settings, .camera = builder->camera, .background = builder->background,
-		.shapes = flat.shapes, .shape_count = flat.shape_count, .lights = flat.lights,
-		.light_count = flat.light_count, .fogs = builder->fogs, .fog_count = builder->fog_count,
-		.rainbows = builder->rainbows, .rainbow_count = builder->rainbow_count, .sky_sphere = builder->sky_sphere,
+		.arena = arena,
+		.settings = builder->settings,
+		.camera = builder->camera,
+		.background = builder->background,
+		.shapes = flat.shapes,
+		.shape_count = flat.shape_count,
+		.lights = flat.lights,
+		.light_count = flat.light_count,
+		.fogs = builder->fogs,
+		.fog_count = builder->fog_count,
+		.rainbows = builder->rainbows,
+		.rainbow_count = builder->rainbow_count,
+		.sky_sphere = builder->sky_sphere,
 	};
 	builder->arena = NULL;
 	scene->accel = accel_create(scene->shapes, scene->shape_count);
 	if (!scene->accel) {
-		diag_fail(builder->diag, "cannot build the accelerator for %d shapes", scene->shape_count);
+		diag_fail(builder->diag, "cannot build the accelerator for %d shapes",
+			  scene->shape_count);
 		scene_destroy(scene);
 		return NULL;
 	}

@@ -1,6 +1,7 @@
 /*
- * The scene: everything the renderer knows, immutable after scene_freeze. lang fills in a SceneBuilder; freezing flattens
- * objects, inherits textures, collects lights and builds the accelerator.
+ * The scene: everything the renderer knows, immutable after scene_freeze. lang fills in a
+ * SceneBuilder; freezing flattens objects, inherits textures, collects lights and builds the
+ * accelerator.
  */
 #ifndef SCENE_SCENE_H
 #define SCENE_SCENE_H
@@ -78,7 +79,8 @@ typedef struct Scene {
 	Settings settings;
 	Camera camera;
 	Rgbft background;
-	const Shape *const *shapes; int shape_count;   /* every one a primitive or a CSG, in world space */
+	const Shape *const *shapes;
+	int shape_count; /* every one a primitive or a CSG, in world space */
 	const Light *lights; int light_count;
 	const Fog *const *fogs; int fog_count;
 	const Rainbow *const *rainbows; int rainbow_count;

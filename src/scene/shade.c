@@ -22,7 +22,8 @@ static void append_shading(Shading *to, const Shading *from, double weight)
 	if (to->layer_count + from->layer_count > SHADING_MAX_LAYERS ||
 	    to->stack_count + from->stack_count > SHADING_MAX_STACKS)
 		return;
-	memcpy(&to->layers[to->layer_count], from->layers, sizeof *from->layers * (size_t)from->layer_count);
+	memcpy(&to->layers[to->layer_count], from->layers,
+	       sizeof *from->layers * (size_t)from->layer_count);
 	for (int i = 0; i < from->stack_count; i++) {
 		ShadingStack stack = from->stacks[i];
 		stack.first += to->layer_count;
@@ -70,7 +71,8 @@ void shade_textures(const ShadePoint *point, Shading *out)
 double shade_epsilon(Vec3 p)
 {
 	double scale = fmax(fabs(p.x), fmax(fabs(p.y), fabs(p.z)));
-	/* POV-Ray's 0.001 for scenes of usual size, finer for tiny ones, and never under what doubles can tell apart. */
+	/* POV-Ray's 0.001 for scenes of usual size, finer for tiny ones, and never under what
+	 * doubles can tell apart. */
 	return fmax(fmin(1e-3, 1e-4 * scale), 1e-9 * scale);
 }
 

@@ -6,8 +6,8 @@ static double key_of(const void *entries, size_t size, int i)
 	return *(const double *)(const void *)((const char *)entries + size * (size_t)i);
 }
 
-/* The first entry whose key is not below value. A walk, not a bisection: maps are short, and scenes may have keys that fall,
- * which POV-Ray reads in this way. */
+/* The first entry whose key is not below value. A walk, not a bisection: maps are short, and scenes
+ * may have keys that fall, which POV-Ray reads in this way. */
 static int first_not_below(const void *entries, size_t size, int count, double value)
 {
 	int i = 0;

@@ -1,13 +1,14 @@
 /*
- * Blend maps: where a pattern's value lies among the keys of a colour, pigment, normal, slope or texture map.
+ * Blend maps: where a pattern's value lies among the keys of a colour, pigment, normal, slope or
+ * texture map.
  */
 #ifndef SURFACE_BLEND_H
 #define SURFACE_BLEND_H
 
 #include <stddef.h>
 
-/* Between entries lower and upper, weight of the way from lower to upper; upper alone (weight 1, lower == upper) at a key and
- * beyond both ends. */
+/* Between entries lower and upper, weight of the way from lower to upper; upper alone (weight 1,
+ * lower == upper) at a key and beyond both ends. */
 typedef struct BlendSpan {
 	int lower, upper;
 	double weight;

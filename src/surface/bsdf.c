@@ -1,10 +1,10 @@
 /*
- * Finish by finish as POV-Ray 3.7's manual, section 3.4.6.3, defines them. Highlights are phong (mirrored ray against light) and
- * Blinn's half vector with the exponent 1/roughness; both, unlike the diffuse part, are not weakened by a layer's
- * transparency.
+ * Finish by finish as POV-Ray 3.7's manual, section 3.4.6.3, defines them. Highlights are phong
+ * (mirrored ray against light) and Blinn's half vector with the exponent 1/roughness; both, unlike
+ * the diffuse part, are not weakened by a layer's transparency.
  *
- * Sampling: smooth directions come from the cosine about the normal, mixed with nothing else; narrow highlights are rare for
- * photons and too small to matter there.
+ * Sampling: smooth directions come from the cosine about the normal, mixed with nothing else;
+ * narrow highlights are rare for photons and too small to matter there.
  */
 #include "surface/bsdf.h"
 
@@ -33,12 +33,14 @@ bool bsdf_refract(Vec3 direction, Vec3 normal, double ior, Vec3 *out)
 	double inner2 = 1 - ior * ior * (1 - cosine * cosine);
 	if (inner2 < 0)
 		return false;
-	*out = vec3_normalize(vec3_mad(vec3_scale(direction, ior), ior * cosine - sqrt(inner2), normal));
+	*out = vec3_normalize(
+		vec3_mad(vec3_scale(direction, ior), ior * cosine - sqrt(inner2), normal));
 	return true;
 }
 
-/* How far a metal's own colour gives way to white towards grazing light: the curve that POV-Ray's `metallic` uses, an
- * approximation of Fresnel's (Schlick's fit for conductors); 0 head on, 1 grazing. */
+/* How far a metal's own colour gives way to white towards grazing light: the curve that POV-Ray's
+ * `metallic` uses, an approximation of Fresnel's (Schlick's fit for conductors); 0 head on, 1
+ * grazing. */
 static double metal_grazing(double cosine)
 {
 	double x = acos(fmin(fmax(cosine, -1), 1)) / (PI / 2);
@@ -63,20 +65,25 @@ static Rgb layer_mirror(const BsdfLayer *layer, Vec3 from, double ior)
 	if (finish->reflection.fresnel)
 		share = bsdf_fresnel(cosine, ior);
 	else
-		share = finish->reflection.falloff == 1 ? 1 - cosine : pow(1 - cosine, finish->reflection.falloff);
+		share = finish->reflection.falloff == 1
+				? 1 - cosine
+				: pow(1 - cosine, finish->reflection.falloff);
 	Rgb mirror = rgb_lerp(finish->reflection.min, finish->reflection.max, (float)share);
 	if (finish->reflection.metallic != 0)
-		mirror = rgb_mul(mirror, metal_tint(layer->color, finish->reflection.metallic, cosine));
+		mirror = rgb_mul(mirror,
+				 metal_tint(layer->color, finish->reflection.metallic, cosine));
 	return mirror;
 }
 
-/* Under 0 it subtracts: scenes use that. Scenes before version 3.7 count a filter by its brightest part; measured. */
+/* Under 0 it subtracts: scenes use that. Scenes before version 3.7 count a filter by its brightest
+ * part; measured. */
 static float layer_opacity(Rgbft color, bool legacy)
 {
 	return 1 - color.filter * (legacy ? rgb_max(rgbft_rgb(color)) : 1) - color.transmit;
 }
 
-/* Turbulence makes the film thicker and thinner. Its five octaves add up to less than 2; fitted to POV-Ray's images. */
+/* Turbulence makes the film thicker and thinner. Its five octaves add up to less than 2; fitted to
+ * POV-Ray's images. */
 static float film_thickness(const Finish *finish, Vec3 world)
 {
 	if (finish->irid.turbulence == 0)
@@ -97,12 +104,14 @@ static void init_layer(Bsdf *bsdf, const ShadingLayer *from, const BsdfPlace *pl
 	layer->above = bsdf->through;
 	layer->opacity = layer_opacity(from->color, place->legacy);
 	layer->grain = (float)(from->finish->crand * place->grain);
-	layer->film = from->finish->irid.amount > 0 ? film_thickness(from->finish, place->world) : 0;
+	layer->film = from->finish->irid.amount > 0 ? film_thickness(from->finish, place->world)
+						    : 0;
 	layer->mirror = layer_mirror(layer, place->from, place->ior);
 	Rgb through = rgbft_transmittance(from->color);
 	if (from->finish->conserve_energy) {
 		Rgb left = rgb_sub(rgb_all(1), layer->mirror);
-		through = rgb_mul(through, rgb(fmaxf(left.r, 0), fmaxf(left.g, 0), fmaxf(left.b, 0)));
+		through = rgb_mul(through,
+				  rgb(fmaxf(left.r, 0), fmaxf(left.g, 0), fmaxf(left.b, 0)));
 	}
 	bsdf->through = rgb_mul(bsdf->through, through);
 }
@@ -131,7 +140,8 @@ Rgb bsdf_emission(const Bsdf *bsdf, Rgb ambient_light)
 	Rgb sum = {0, 0, 0};
 	for (int i = 0; i < bsdf->count; i++) {
 		const BsdfLayer *layer = &bsdf->layers[i];
-		Rgb own = rgb_add(rgb_mul(layer->finish->ambient, ambient_light), layer->finish->emission);
+		Rgb own = rgb_add(rgb_mul(layer->finish->ambient, ambient_light),
+				  layer->finish->emission);
 		if (rgb_is_black(own))
 			continue;
 		own = rgb_scale(rgb_mul(own, layer->color), layer->opacity);
@@ -140,8 +150,9 @@ Rgb bsdf_emission(const Bsdf *bsdf, Rgb ambient_light)
 	return sum;
 }
 
-/* Light through a film: two ways that differ by the film's thickness times the cosines interfere at each wavelength. Thickness
- * and wavelengths in one unit; the formula was fitted to POV-Ray 3.7's images, where only diffuse light takes part. */
+/* Light through a film: two ways that differ by the film's thickness times the cosines interfere at
+ * each wavelength. Thickness and wavelengths in one unit; the formula was fitted to POV-Ray 3.7's
+ * images, where only diffuse light takes part. */
 static Rgb irid_tint(const Bsdf *bsdf, const BsdfLayer *layer, double light_cosine)
 {
 	double eye_cosine = vec3_dot(layer->normal, bsdf->from);
@@ -162,7 +173,8 @@ static Rgb diffuse_lobe(const Bsdf *bsdf, const BsdfLayer *layer, double cosine)
 		amount = fmaxf(amount, finish->diffuse_back);
 	if (finish->diffuse_albedo)
 		amount *= (finish->brilliance + 1) / 2;
-	double shape = finish->brilliance == 1 ? fabs(cosine) : pow(fabs(cosine), finish->brilliance);
+	double shape = finish->brilliance == 1 ? fabs(cosine)
+					       : pow(fabs(cosine), finish->brilliance);
 	float strength = (float)shape * amount * layer->opacity - layer->grain;
 	Rgb color = rgb_scale(rgb_mul(layer->color, layer->above), strength);
 	return finish->irid.amount > 0 ? rgb_mul(color, irid_tint(bsdf, layer, cosine)) : color;
@@ -204,7 +216,8 @@ static Rgb specular_lobe(const Bsdf *bsdf, const BsdfLayer *layer, Vec3 to)
 	double cosine = vec3_dot(vec3_normalize(vec3_add(to, bsdf->from)), layer->normal);
 	if (cosine <= 0)
 		return rgb_all(0);
-	double strength = specular_amount(layer->finish) * pow(cosine, 1 / layer->finish->roughness);
+	double strength = specular_amount(layer->finish) *
+			  pow(cosine, 1 / layer->finish->roughness);
 	return highlight_color(layer, strength, vec3_dot(layer->normal, to));
 }
 
@@ -234,7 +247,8 @@ Rgb bsdf_eval(const Bsdf *bsdf, Vec3 to, bool highlights)
 
 static bool finish_is_delta(const Finish *finish)
 {
-	return finish->diffuse == 0 && finish->diffuse_back == 0 && finish->phong <= 0 && finish->specular <= 0;
+	return finish->diffuse == 0 && finish->diffuse_back == 0 && finish->phong <= 0 &&
+	       finish->specular <= 0;
 }
 
 bool bsdf_is_delta(const Bsdf *bsdf)
@@ -273,7 +287,10 @@ static Vec3 mirror_direction(const Bsdf *bsdf, Vec3 normal)
 
 static BsdfEvent passage(const Bsdf *bsdf, Transport transport)
 {
-	BsdfEvent event = {.kind = BSDF_TRANSMIT, .weight = bsdf->through, .exponent = 1, .to = vec3_neg(bsdf->from)};
+	BsdfEvent event = {.kind = BSDF_TRANSMIT,
+			   .weight = bsdf->through,
+			   .exponent = 1,
+			   .to = vec3_neg(bsdf->from)};
 	if (fabs(bsdf->ior - 1) < 1e-10)
 		return event;
 	event.bent = true;
@@ -286,7 +303,8 @@ static BsdfEvent passage(const Bsdf *bsdf, Transport transport)
 		event.to = mirror_direction(bsdf, normal);
 		event.weight = rgb_all(1);
 	}
-	/* POV-Ray leaves out the change of radiance with the square of the index, in both directions. */
+	/* POV-Ray leaves out the change of radiance with the square of the index, in both
+	 * directions. */
 	(void)transport;
 	return event;
 }
@@ -300,10 +318,13 @@ int bsdf_events(const Bsdf *bsdf, Transport transport, BsdfEvent out[BSDF_MAX_EV
 		const BsdfLayer *layer = &bsdf->layers[i];
 		Rgb weight = layer->mirror;
 		/* Total reflection is this mirror already. */
-		bool same = count && out[0].total && vec3_distance(layer->normal, bsdf->layers[0].normal) < 1e-9;
+		bool same = count && out[0].total &&
+			    vec3_distance(layer->normal, bsdf->layers[0].normal) < 1e-9;
 		if (!rgb_is_black(weight) && !same)
 			out[count++] = (BsdfEvent){
-				.kind = BSDF_REFLECT, .weight = weight, .exponent = layer->finish->reflection.exponent,
+				.kind = BSDF_REFLECT,
+				.weight = weight,
+				.exponent = layer->finish->reflection.exponent,
 				.to = mirror_direction(bsdf, layer->normal),
 			};
 	}
@@ -318,7 +339,8 @@ static Rgb diffuse_albedo(const Bsdf *bsdf)
 	Rgb sum = {0, 0, 0};
 	for (int i = 0; i < bsdf->count; i++) {
 		const BsdfLayer *layer = &bsdf->layers[i];
-		float share = layer->finish->diffuse * layer->opacity * 2 / (layer->finish->brilliance + 1);
+		float share = layer->finish->diffuse * layer->opacity * 2 /
+			      (layer->finish->brilliance + 1);
 		sum = rgb_add(sum, rgb_scale(rgb_mul(layer->color, layer->above), share));
 	}
 	return sum;
@@ -344,10 +366,13 @@ static double mean(Rgb color)
 	return ((double)color.r + color.g + color.b) / 3;
 }
 
-/* The smooth direction's weight: eval / pi is f cos, over the density cos / pi and the chance of the choice. */
+/* The smooth direction's weight: eval / pi is f cos, over the density cos / pi and the chance of
+ * the choice. */
 static BsdfEvent smooth_event(const Bsdf *bsdf, const double u[3], double chance)
 {
-	BsdfEvent event = {.kind = BSDF_SMOOTH, .exponent = 1, .to = cosine_direction(bsdf->geometric, u[1], u[2])};
+	BsdfEvent event = {.kind = BSDF_SMOOTH,
+			   .exponent = 1,
+			   .to = cosine_direction(bsdf->geometric, u[1], u[2])};
 	double cosine = fmax(vec3_dot(event.to, bsdf->geometric), 1e-9);
 	event.weight = rgb_scale(bsdf_eval(bsdf, event.to, true), (float)(1 / (cosine * chance)));
 	return event;

@@ -1,6 +1,7 @@
 /*
- * The machine that runs user functions: threaded code, one indirect jump an instruction. Registers live on the caller's
- * stack. Comparisons are exact here, unlike those of the parser, as in POV-Ray.
+ * The machine that runs user functions: threaded code, one indirect jump an instruction. Registers
+ * live on the caller's stack. Comparisons are exact here, unlike those of the parser, as in
+ * POV-Ray.
  */
 #include "surface/function.h"
 

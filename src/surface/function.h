@@ -1,9 +1,10 @@
 /*
- * User functions, compiled: float functions of up to 56 arguments, and vector functions (a pigment's colour, a transformed
- * point, a spline). No global state: any number of threads may evaluate one at once; nothing is allocated.
+ * User functions, compiled: float functions of up to 56 arguments, and vector functions (a
+ * pigment's colour, a transformed point, a spline). No global state: any number of threads may
+ * evaluate one at once; nothing is allocated.
  *
- * A float function is native (an internal one, a pattern) or a program for a register machine, made by
- * surface/function_program.h.
+ * A float function is native (an internal one, a pattern) or a program for a register machine, made
+ * by surface/function_program.h.
  */
 #ifndef SURFACE_FUNCTION_H
 #define SURFACE_FUNCTION_H

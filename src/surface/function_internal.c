@@ -19,16 +19,18 @@ static const InternalFunction *find_in(const InternalFunction *rows, int number)
 static const Function *make_function(Arena *arena, const InternalFunction *row, int noise_generator)
 {
 	Function *function = ARENA_NEW(arena, Function);
-	*function = (Function){.arity = 3 + row->parameters, .native = row->eval, .approximate = row->approximate,
-	                       .data = arena_copy(arena, &noise_generator, sizeof noise_generator)};
+	*function = (Function){.arity = 3 + row->parameters,
+			       .native = row->eval,
+			       .approximate = row->approximate,
+			       .data = arena_copy(arena, &noise_generator, sizeof noise_generator)};
 	return function;
 }
 
 const Function *function_internal_find(Arena *arena, int number, int noise_generator)
 {
 	const InternalFunction *const families[] = {
-		function_internal_shapes, function_internal_curves, function_internal_algebra, function_internal_blobs,
-		function_internal_plane, function_internal_noise,
+		function_internal_shapes, function_internal_curves, function_internal_algebra,
+		function_internal_blobs,  function_internal_plane,  function_internal_noise,
 	};
 	for (size_t i = 0; i < sizeof families / sizeof families[0]; i++) {
 		const InternalFunction *row = find_in(families[i], number);

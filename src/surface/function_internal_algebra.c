@@ -1,6 +1,6 @@
 /*
- * Algebraic surfaces: polynomials of x, y, z times a field strength, which is the first parameter of all; comments name the
- * others. Coefficients come from fits to POV-Ray's values.
+ * Algebraic surfaces: polynomials of x, y, z times a field strength, which is the first parameter
+ * of all; comments name the others. Coefficients come from fits to POV-Ray's values.
  */
 #include <math.h>
 
@@ -265,23 +265,28 @@ static double witch_of_agnesi(const void *data, const double *a)
 static double boy_surface(const void *data, const double *a)
 {
 	(void)data;
-	double x = a[0], y = a[1], z = a[2], w = 1 - z, rr = x * x + y * y, zz = z * z, root = 1.4142135623730951;
+	double x = a[0], y = a[1], z = a[2], w = 1 - z, rr = x * x + y * y, zz = z * z,
+	       root = 1.4142135623730951;
 	double value = 64 * w * w * w * zz * z - 48 * w * w * zz * (3 * rr + 2 * zz);
-	value += 12 * w * z * (27 * rr * rr - 24 * zz * rr + 36 * root * y * z * (y * y - 3 * x * x) + 4 * zz * zz);
-	value += (9 * rr - 2 * zz) *
-	         (-81 * rr * rr - 72 * zz * rr + 108 * root * x * z * (x * x - 3 * y * y) + 4 * zz * zz);
+	value += 12 * w * z *
+		 (27 * rr * rr - 24 * zz * rr + 36 * root * y * z * (y * y - 3 * x * x) +
+		  4 * zz * zz);
+	value += (9 * rr - 2 * zz) * (-81 * rr * rr - 72 * zz * rr +
+				      108 * root * x * z * (x * x - 3 * y * y) + 4 * zz * zz);
 	return limited(a[3] * a[4] * value);
 }
 
-/* Major and minor radius of a torus about y, its displacement in x and y, radius of the inversion about the origin. The
- * torus' quartic at the inverse of the point, times the fourth power of the distance: a polynomial. */
+/* Major and minor radius of a torus about y, its displacement in x and y, radius of the inversion
+ * about the origin. The torus' quartic at the inverse of the point, times the fourth power of the
+ * distance: a polynomial. */
 static double dupin_cyclid(const void *data, const double *a)
 {
 	(void)data;
 	double rr = a[0] * a[0] + a[1] * a[1] + a[2] * a[2], k = a[8] * a[8];
 	double x = k * a[0] - a[6] * rr, z = k * a[2];
 	double major = a[4] * a[4], minor = a[5] * a[5];
-	double s = k * k - 2 * k * (a[0] * a[6] + a[1] * a[7]) + rr * (a[6] * a[6] + a[7] * a[7]) + (major - minor) * rr;
+	double s = k * k - 2 * k * (a[0] * a[6] + a[1] * a[7]) + rr * (a[6] * a[6] + a[7] * a[7]) +
+		   (major - minor) * rr;
 	/* POV-Ray's polynomial has the opposite sign in one of y's terms. */
 	double odd = 8 * k * a[7] * a[1] * rr * (major - minor);
 	return limited(a[3] * (4 * major * (x * x + z * z) - s * s - odd));
@@ -297,15 +302,40 @@ static double enneper(const void *data, const double *a)
 }
 
 const InternalFunction function_internal_algebra[] = {
-	{4, 2, bicorn, false}, {5, 2, bifolia, false}, {8, 2, boy_surface, false}, {11, 1, crossed_trough, false},
-	{12, 1, cubic_saddle, false}, {13, 1, cushion, false}, {14, 1, devils_curve, false}, {16, 6, dupin_cyclid, false},
-	{18, 1, enneper, false}, {20, 3, folium_surface, false}, {22, 1, glob, false}, {23, 1, heart, false},
-	{30, 1, hunt_surface, false}, {31, 3, hyperbolic_torus, false}, {33, 3, kampyle_of_eudoxus, false},
-	{35, 1, klein_bottle, false}, {36, 1, kummer_surface_v1, false}, {37, 4, kummer_surface_v2, false},
-	{38, 1, lemniscate_of_gerono, false}, {41, 1, mitre, false}, {42, 1, nodal_cubic, false}, {43, 1, cushion, false},
-	{44, 4, ovals_of_cassini, false}, {45, 1, paraboloid, false}, {46, 3, parabolic_torus, false},
-	{48, 1, pillow, false}, {49, 1, piriform, false}, {54, 1, quartic_paraboloid, false},
-	{55, 1, quartic_saddle, false}, {56, 3, quartic_cylinder, false}, {65, 1, steiners_roman, false},
-	{66, 4, strophoid, false}, {72, 1, torus_gumdrop, false}, {73, 1, umbrella, false},
-	{74, 2, witch_of_agnesi, false}, {0, 0, NULL, false},
+	{4, 2, bicorn, false},
+	{5, 2, bifolia, false},
+	{8, 2, boy_surface, false},
+	{11, 1, crossed_trough, false},
+	{12, 1, cubic_saddle, false},
+	{13, 1, cushion, false},
+	{14, 1, devils_curve, false},
+	{16, 6, dupin_cyclid, false},
+	{18, 1, enneper, false},
+	{20, 3, folium_surface, false},
+	{22, 1, glob, false},
+	{23, 1, heart, false},
+	{30, 1, hunt_surface, false},
+	{31, 3, hyperbolic_torus, false},
+	{33, 3, kampyle_of_eudoxus, false},
+	{35, 1, klein_bottle, false},
+	{36, 1, kummer_surface_v1, false},
+	{37, 4, kummer_surface_v2, false},
+	{38, 1, lemniscate_of_gerono, false},
+	{41, 1, mitre, false},
+	{42, 1, nodal_cubic, false},
+	{43, 1, cushion, false},
+	{44, 4, ovals_of_cassini, false},
+	{45, 1, paraboloid, false},
+	{46, 3, parabolic_torus, false},
+	{48, 1, pillow, false},
+	{49, 1, piriform, false},
+	{54, 1, quartic_paraboloid, false},
+	{55, 1, quartic_saddle, false},
+	{56, 3, quartic_cylinder, false},
+	{65, 1, steiners_roman, false},
+	{66, 4, strophoid, false},
+	{72, 1, torus_gumdrop, false},
+	{73, 1, umbrella, false},
+	{74, 2, witch_of_agnesi, false},
+	{0, 0, NULL, false},
 };

@@ -38,8 +38,9 @@ static double whole_power(double base, double exponent)
 	return pow(base, exponent >= 1 ? trunc(exponent) : 0);
 }
 
-/* Heterogeneous multifractal (Musgrave): each octave is weighted by the height so far, to the whole power T. Parameters: H,
- * lacunarity, octaves, offset, T, generator. What remains of fractional octaves is weighted by the height once. */
+/* Heterogeneous multifractal (Musgrave): each octave is weighted by the height so far, to the whole
+ * power T. Parameters: H, lacunarity, octaves, offset, T, generator. What remains of fractional
+ * octaves is weighted by the height once. */
 static double hetero_mf(const void *data, const double *a)
 {
 	(void)data;
@@ -49,13 +50,15 @@ static double hetero_mf(const void *data, const double *a)
 	for (int i = 1; i < octaves; i++) {
 		p = vec3_scale(p, lacunarity);
 		frequency *= lacunarity;
-		value += (offset + signed_noise(p, a[8])) * pow(frequency, -h) * whole_power(value, t);
+		value += (offset + signed_noise(p, a[8])) * pow(frequency, -h) *
+			 whole_power(value, t);
 	}
 	double rest = octaves - floor(octaves);
 	if (rest == 0)
 		return value;
 	p = vec3_scale(p, lacunarity);
-	return value + rest * (offset + signed_noise(p, a[8])) * pow(frequency * lacunarity, -h) * value;
+	return value +
+	       rest * (offset + signed_noise(p, a[8])) * pow(frequency * lacunarity, -h) * value;
 }
 
 static double ridge_signal(Vec3 p, double offset, double generator)
@@ -68,7 +71,8 @@ static double ridge_signal(Vec3 p, double offset, double generator)
 static double ridged_mf(const void *data, const double *a)
 {
 	(void)data;
-	double h = a[3], lacunarity = a[4], octaves = limit_octaves(a[5]), offset = a[6], gain = a[7];
+	double h = a[3], lacunarity = a[4], octaves = limit_octaves(a[5]), offset = a[6],
+	       gain = a[7];
 	Vec3 p = vec3(a[0], a[1], a[2]);
 	double signal = ridge_signal(p, offset, a[8]), value = signal, frequency = 1;
 	for (int i = 1; i < octaves; i++) {
@@ -81,7 +85,8 @@ static double ridged_mf(const void *data, const double *a)
 	return value;
 }
 
-/* Noise folded at the ridge, where it is 1, and turned over: 1 where the fold gives 0, 0 where it gives 1 - offset. */
+/* Noise folded at the ridge, where it is 1, and turned over: 1 where the fold gives 0, 0 where it
+ * gives 1 - offset. */
 static double folded(Vec3 p, double offset, double ridge, double generator)
 {
 	double n = noise_value(p, generator_number(generator));
@@ -89,7 +94,8 @@ static double folded(Vec3 p, double offset, double ridge, double generator)
 	return (1 - offset - n) / fmax(offset, 1 - offset);
 }
 
-/* The weighted mean of octaves of folded noise. Parameters: lambda, octaves, omega, offset, ridge, generator. */
+/* The weighted mean of octaves of folded noise. Parameters: lambda, octaves, omega, offset, ridge,
+ * generator. */
 static double ridge(const void *data, const double *a)
 {
 	(void)data;
@@ -107,5 +113,6 @@ static double ridge(const void *data, const double *a)
 }
 
 const InternalFunction function_internal_noise[] = {
-	{29, 6, hetero_mf, false}, {58, 6, ridge, false}, {59, 6, ridged_mf, false}, {76, 0, noise3d, false}, {78, 1, noise_generator, false}, {0, 0, NULL, false},
+	{29, 6, hetero_mf, false}, {58, 6, ridge, false},           {59, 6, ridged_mf, false},
+	{76, 0, noise3d, false},   {78, 1, noise_generator, false}, {0, 0, NULL, false},
 };

@@ -1,6 +1,7 @@
 /*
- * Plane curves F(x, y), extruded along z or, with the sweep switch above 0, swept about the y axis: x is then the distance
- * from the axis less the sweep's offset, and the plane is turned by its angle. Field strength comes first.
+ * Plane curves F(x, y), extruded along z or, with the sweep switch above 0, swept about the y axis:
+ * x is then the distance from the axis less the sweep's offset, and the plane is turned by its
+ * angle. Field strength comes first.
  */
 #include <math.h>
 
@@ -71,7 +72,8 @@ static double folium_surface_2d(const void *data, const double *a)
 {
 	(void)data;
 	PlanePoint p = plane_point(a, &a[6]);
-	return function_internal_limit(-a[3] * (p.y * p.y * (1 + (a[5] - 4 * a[4]) * p.x) + p.x * p.x * (1 + a[5])));
+	return function_internal_limit(
+		-a[3] * (p.y * p.y * (1 + (a[5] - 4 * a[4]) * p.x) + p.x * p.x * (1 + a[5])));
 }
 
 /* Dimple, closeness, sweep. */
@@ -97,7 +99,8 @@ static double piriform_2d(const void *data, const double *a)
 {
 	(void)data;
 	PlanePoint p = plane_point(a, &a[7]);
-	return function_internal_limit(a[3] * (a[6] * a[6] * p.x * p.x * p.x * (a[4] + a[5] * p.x) - p.y * p.y));
+	return function_internal_limit(
+		a[3] * (a[6] * a[6] * p.x * p.x * p.x * (a[4] + a[5] * p.x) - p.y * p.y));
 }
 
 /* Size of the bulb, sharpness, fatness, sweep. */
@@ -105,7 +108,8 @@ static double strophoid_2d(const void *data, const double *a)
 {
 	(void)data;
 	PlanePoint p = plane_point(a, &a[7]);
-	return function_internal_limit(a[3] * (a[6] * a[6] * p.x * p.x * (p.x + a[4]) + (p.x - a[5]) * p.y * p.y));
+	return function_internal_limit(
+		a[3] * (a[6] * a[6] * p.x * p.x * (p.x + a[4]) + (p.x - a[5]) * p.y * p.y));
 }
 
 /* Size and height of the spike, sweep. */
@@ -117,7 +121,16 @@ static double witch_of_agnesi_2d(const void *data, const double *a)
 }
 
 const InternalFunction function_internal_plane[] = {
-	{0, 5, algbr_cyl1, false}, {1, 5, algbr_cyl2, false}, {2, 5, algbr_cyl3, false}, {3, 5, algbr_cyl4, false}, {15, 6, devils_curve_2d, false},
-	{21, 6, folium_surface_2d, false}, {34, 6, kampyle_of_eudoxus_2d, false}, {39, 6, lemniscate_of_gerono_2d, false},
-	{50, 7, piriform_2d, false}, {67, 7, strophoid_2d, false}, {75, 6, witch_of_agnesi_2d, false}, {0, 0, NULL, false},
+	{0, 5, algbr_cyl1, false},
+	{1, 5, algbr_cyl2, false},
+	{2, 5, algbr_cyl3, false},
+	{3, 5, algbr_cyl4, false},
+	{15, 6, devils_curve_2d, false},
+	{21, 6, folium_surface_2d, false},
+	{34, 6, kampyle_of_eudoxus_2d, false},
+	{39, 6, lemniscate_of_gerono_2d, false},
+	{50, 7, piriform_2d, false},
+	{67, 7, strophoid_2d, false},
+	{75, 6, witch_of_agnesi_2d, false},
+	{0, 0, NULL, false},
 };

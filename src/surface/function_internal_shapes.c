@@ -83,6 +83,8 @@ static double superellipsoid(const void *data, const double *a)
 }
 
 const InternalFunction function_internal_shapes[] = {
-	{17, 3, ellipsoid, false}, {47, 0, phi, false}, {57, 0, radius, false}, {60, 4, rounded_box, false}, {61, 1, sphere, false}, {68, 2, superellipsoid, false},
-	{69, 0, theta, false}, {70, 2, torus, false}, {71, 3, torus2, false}, {0, 0, NULL, false},
+	{17, 3, ellipsoid, false},   {47, 0, phi, false},    {57, 0, radius, false},
+	{60, 4, rounded_box, false}, {61, 1, sphere, false}, {68, 2, superellipsoid, false},
+	{69, 0, theta, false},       {70, 2, torus, false},  {71, 3, torus2, false},
+	{0, 0, NULL, false},
 };

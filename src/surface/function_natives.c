@@ -3,7 +3,8 @@
 static SurfacePoint point_at(const double *args)
 {
 	Vec3 p = vec3(args[0], args[1], args[2]);
-	return (SurfacePoint){.p = p, .world = p, .normal = vec3(0, 1, 0), .direction = vec3(0, 0, 1)};
+	return (SurfacePoint){
+		.p = p, .world = p, .normal = vec3(0, 1, 0), .direction = vec3(0, 0, 1)};
 }
 
 static double eval_pattern(const void *data, const double *args)

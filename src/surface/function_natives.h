@@ -1,4 +1,5 @@
-/* Functions made of what scenes name otherwise: patterns, pigments, transformations, and POV-Ray's internal functions. */
+/* Functions made of what scenes name otherwise: patterns, pigments, transformations, and POV-Ray's
+ * internal functions. */
 #ifndef SURFACE_FUNCTION_NATIVES_H
 #define SURFACE_FUNCTION_NATIVES_H
 
@@ -14,8 +15,8 @@ const VectorFunction *function_of_pigment(Arena *arena, const Pigment *pigment);
 const Function *function_of_gray(Arena *arena, const VectorFunction *vector);
 /* x, y, z to the transformed point. */
 const VectorFunction *function_of_transform(Arena *arena, const Transform *transform);
-/* The internal function of that number (functions.inc names them); NULL when there is none. noise_generator is the one
- * that f_noise3d uses. */
+/* The internal function of that number (functions.inc names them); NULL when there is none.
+ * noise_generator is the one that f_noise3d uses. */
 const Function *function_internal_find(Arena *arena, int number, int noise_generator);
 
 #endif

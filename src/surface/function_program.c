@@ -87,7 +87,8 @@ static int slot_of(const Instruction *i)
 
 static bool same_instruction(const Instruction *a, const Instruction *b)
 {
-	return a->op == b->op && a->a == b->a && a->b == b->b && memcmp(&a->k, &b->k, sizeof a->k) == 0;
+	return a->op == b->op && a->a == b->a && a->b == b->b &&
+	       memcmp(&a->k, &b->k, sizeof a->k) == 0;
 }
 
 static void remember(FunctionProgram *program, int slot, int at, const int *args, int arg_count)
@@ -97,7 +98,8 @@ static void remember(FunctionProgram *program, int slot, int at, const int *args
 	program->table[slot] = program->newest = made;
 }
 
-/* What was made from instruction number `from` on may not have run where the program goes on: forget it. */
+/* What was made from instruction number `from` on may not have run where the program goes on:
+ * forget it. */
 static void forget_from(FunctionProgram *program, int from)
 {
 	while (program->newest && program->newest->at >= from) {
@@ -119,7 +121,8 @@ static FunctionValue make(FunctionProgram *program, Instruction instruction)
 
 static int register_of(FunctionProgram *program, FunctionValue value)
 {
-	return value.constant ? make(program, (Instruction){.op = CODE_CONSTANT, .k = value.k}).reg : value.reg;
+	return value.constant ? make(program, (Instruction){.op = CODE_CONSTANT, .k = value.k}).reg
+			      : value.reg;
 }
 
 /* ---- operations ---- */
@@ -132,7 +135,8 @@ static bool has_one_operand(Opcode op)
 /* The value of an operation on constants, by running it. */
 static double fold(Opcode op, double a, double b)
 {
-	const Instruction code[] = {{.op = (uint16_t)op, .to = 2, .a = 0, .b = 1}, {.op = CODE_RETURN, .a = 2}};
+	const Instruction code[] = {{.op = (uint16_t)op, .to = 2, .a = 0, .b = 1},
+				    {.op = CODE_RETURN, .a = 2}};
 	Function function = {.arity = 2, .code = code, .code_length = 2, .register_count = 3};
 	return function_eval(&function, (const double[]){a, b});
 }
@@ -143,14 +147,17 @@ static FunctionValue unary_with(FunctionProgram *program, Opcode op, FunctionVal
 }
 
 /* Products for powers that scenes use most; false when it is none of them. */
-static bool small_power(FunctionProgram *program, FunctionValue a, double exponent, FunctionValue *out)
+static bool small_power(FunctionProgram *program, FunctionValue a, double exponent,
+			FunctionValue *out)
 {
 	FunctionValue square;
 	if (exponent == 1) {
 		*out = a;
 	} else if (exponent == 2 || exponent == 3 || exponent == 4) {
 		square = program_operation(program, CODE_MUL, a, a);
-		*out = exponent == 2 ? square : program_operation(program, CODE_MUL, square, exponent == 3 ? a : square);
+		*out = exponent == 2 ? square
+				     : program_operation(program, CODE_MUL, square,
+							 exponent == 3 ? a : square);
 	} else {
 		return false;
 	}
@@ -158,7 +165,8 @@ static bool small_power(FunctionProgram *program, FunctionValue a, double expone
 }
 
 /* a op constant. */
-static bool with_right_constant(FunctionProgram *program, Opcode op, FunctionValue a, double k, FunctionValue *out)
+static bool with_right_constant(FunctionProgram *program, Opcode op, FunctionValue a, double k,
+				FunctionValue *out)
 {
 	switch (op) {
 	case CODE_ADD: *out = k == 0 ? a : unary_with(program, CODE_ADD_K, a, k); return true;
@@ -170,7 +178,8 @@ static bool with_right_constant(FunctionProgram *program, Opcode op, FunctionVal
 	}
 }
 
-static bool with_left_constant(FunctionProgram *program, Opcode op, double k, FunctionValue b, FunctionValue *out)
+static bool with_left_constant(FunctionProgram *program, Opcode op, double k, FunctionValue b,
+			       FunctionValue *out)
 {
 	switch (op) {
 	case CODE_ADD: *out = k == 0 ? b : unary_with(program, CODE_ADD_K, b, k); return true;
@@ -183,10 +192,12 @@ static bool with_left_constant(FunctionProgram *program, Opcode op, double k, Fu
 
 static bool is_commutative(Opcode op)
 {
-	return op == CODE_ADD || op == CODE_MUL || op == CODE_EQUAL || op == CODE_NOT_EQUAL || op == CODE_AND || op == CODE_OR;
+	return op == CODE_ADD || op == CODE_MUL || op == CODE_EQUAL || op == CODE_NOT_EQUAL ||
+	       op == CODE_AND || op == CODE_OR;
 }
 
-FunctionValue program_operation(FunctionProgram *program, Opcode op, FunctionValue a, FunctionValue b)
+FunctionValue program_operation(FunctionProgram *program, Opcode op, FunctionValue a,
+				FunctionValue b)
 {
 	FunctionValue out;
 	if (has_one_operand(op)) {
@@ -202,17 +213,23 @@ FunctionValue program_operation(FunctionProgram *program, Opcode op, FunctionVal
 		return out;
 	int left = register_of(program, a), right = register_of(program, b);
 	if (is_commutative(op) && left > right)
-		return make(program, (Instruction){.op = (uint16_t)op, .a = (uint16_t)right, .b = (uint16_t)left});
-	return make(program, (Instruction){.op = (uint16_t)op, .a = (uint16_t)left, .b = (uint16_t)right});
+		return make(program, (Instruction){.op = (uint16_t)op,
+						   .a = (uint16_t)right,
+						   .b = (uint16_t)left});
+	return make(program,
+		    (Instruction){.op = (uint16_t)op, .a = (uint16_t)left, .b = (uint16_t)right});
 }
 
-FunctionValue program_pick(FunctionProgram *program, Opcode op, FunctionValue test, FunctionValue yes, FunctionValue no)
+FunctionValue program_pick(FunctionProgram *program, Opcode op, FunctionValue test,
+			   FunctionValue yes, FunctionValue no)
 {
 	if (test.constant)
 		return (op == CODE_PICK_NEGATIVE ? test.k < 0 : test.k == 0) ? yes : no;
 	int first = register_of(program, yes), second = register_of(program, no);
-	return make(program, (Instruction){.op = (uint16_t)op, .a = (uint16_t)test.reg, .b = (uint16_t)first,
-	                                   .c = (uint32_t)second});
+	return make(program, (Instruction){.op = (uint16_t)op,
+					   .a = (uint16_t)test.reg,
+					   .b = (uint16_t)first,
+					   .c = (uint32_t)second});
 }
 
 /* ---- calls ---- */
@@ -227,11 +244,14 @@ static int argument_row(FunctionProgram *program, const int *args, int count)
 		return args[0];
 	int row = new_registers(program, count);
 	for (int i = 0; i < count; i++)
-		append(program, (Instruction){.op = CODE_MOVE, .to = (uint16_t)(row + i), .a = (uint16_t)args[i]});
+		append(program, (Instruction){.op = CODE_MOVE,
+					      .to = (uint16_t)(row + i),
+					      .a = (uint16_t)args[i]});
 	return row;
 }
 
-static FunctionValue make_call(FunctionProgram *program, Instruction call, const FunctionValue *args, int count, int results)
+static FunctionValue make_call(FunctionProgram *program, Instruction call,
+			       const FunctionValue *args, int count, int results)
 {
 	int *regs = ARENA_ARRAY(program->scratch, int, count);
 	int slot = slot_of(&call);
@@ -239,7 +259,8 @@ static FunctionValue make_call(FunctionProgram *program, Instruction call, const
 		regs[i] = register_of(program, args[i]);
 	for (const Made *made = program->table[slot]; made; made = made->next) {
 		const Instruction *old = &program->code[made->at];
-		if (old->op == call.op && old->function == call.function && made->arg_count == count &&
+		if (old->op == call.op && old->function == call.function &&
+		    made->arg_count == count &&
 		    memcmp(made->args, regs, sizeof *regs * (size_t)count) == 0)
 			return (FunctionValue){.reg = old->to};
 	}
@@ -250,9 +271,11 @@ static FunctionValue make_call(FunctionProgram *program, Instruction call, const
 }
 
 /* Replays a short program's instructions with this one's values. */
-static FunctionValue take_in(FunctionProgram *program, const Function *function, const FunctionValue *args)
+static FunctionValue take_in(FunctionProgram *program, const Function *function,
+			     const FunctionValue *args)
 {
-	FunctionValue *values = ARENA_ARRAY(program->scratch, FunctionValue, function->register_count);
+	FunctionValue *values = ARENA_ARRAY(program->scratch, FunctionValue,
+					    function->register_count);
 	for (int i = 0; i < function->arity; i++)
 		values[i] = args[i];
 	for (const Instruction *i = function->code; i->op != CODE_RETURN; i++) {
@@ -266,15 +289,22 @@ static FunctionValue take_in(FunctionProgram *program, const Function *function,
 		case CODE_DIV_K: values[i->to] = program_operation(program, CODE_DIV, a, k); break;
 		case CODE_K_DIV: values[i->to] = program_operation(program, CODE_DIV, k, a); break;
 		case CODE_MUL_ADD:
-			values[i->to] = program_operation(program, CODE_ADD, program_operation(program, CODE_MUL, a, b), values[i->c]);
+			values[i->to] = program_operation(
+				program, CODE_ADD, program_operation(program, CODE_MUL, a, b),
+				values[i->c]);
 			break;
 		case CODE_MUL_SUB:
-			values[i->to] = program_operation(program, CODE_SUB, program_operation(program, CODE_MUL, a, b), values[i->c]);
+			values[i->to] = program_operation(
+				program, CODE_SUB, program_operation(program, CODE_MUL, a, b),
+				values[i->c]);
 			break;
 		case CODE_PICK_NEGATIVE: case CODE_PICK_ZERO:
 			values[i->to] = program_pick(program, (Opcode)i->op, a, b, values[i->c]);
 			break;
-		case CODE_NATIVE: case CODE_CALL: values[i->to] = program_call(program, i->function, &values[i->a]); break;
+		case CODE_NATIVE:
+		case CODE_CALL:
+			values[i->to] = program_call(program, i->function, &values[i->a]);
+			break;
 		case CODE_VECTOR_CALL: {
 			FunctionValue row = program_vector_call(program, i->vector, &values[i->a]);
 			for (int c = 0; c < 5; c++)
@@ -287,7 +317,8 @@ static FunctionValue take_in(FunctionProgram *program, const Function *function,
 	return values[function->code[function->code_length - 1].a];
 }
 
-FunctionValue program_call(FunctionProgram *program, const Function *function, const FunctionValue *args)
+FunctionValue program_call(FunctionProgram *program, const Function *function,
+			   const FunctionValue *args)
 {
 	if (!function->native && function->straight && function->code_length <= INLINE_LIMIT)
 		return take_in(program, function, args);
@@ -295,7 +326,8 @@ FunctionValue program_call(FunctionProgram *program, const Function *function, c
 	return make_call(program, call, args, function->arity, 1);
 }
 
-FunctionValue program_vector_call(FunctionProgram *program, const VectorFunction *vector, const FunctionValue *args)
+FunctionValue program_vector_call(FunctionProgram *program, const VectorFunction *vector,
+				  const FunctionValue *args)
 {
 	Instruction call = {.op = CODE_VECTOR_CALL, .vector = vector};
 	return make_call(program, call, args, vector->arity, 5);
@@ -311,16 +343,20 @@ static void jump_here(FunctionProgram *program, int jump)
 static void copy_to(FunctionProgram *program, int to, FunctionValue value)
 {
 	if (value.constant)
-		append(program, (Instruction){.op = CODE_CONSTANT, .to = (uint16_t)to, .k = value.k});
+		append(program,
+		       (Instruction){.op = CODE_CONSTANT, .to = (uint16_t)to, .k = value.k});
 	else
-		append(program, (Instruction){.op = CODE_MOVE, .to = (uint16_t)to, .a = (uint16_t)value.reg});
+		append(program, (Instruction){.op = CODE_MOVE,
+					      .to = (uint16_t)to,
+					      .a = (uint16_t)value.reg});
 }
 
 FunctionBranch program_if(FunctionProgram *program, Opcode op, FunctionValue test)
 {
 	FunctionBranch branch = {.result = new_registers(program, 1)};
 	program->straight = false;
-	branch.jump = append(program, (Instruction){.op = (uint16_t)op, .a = (uint16_t)register_of(program, test)});
+	branch.jump = append(program, (Instruction){.op = (uint16_t)op,
+						    .a = (uint16_t)register_of(program, test)});
 	branch.scope = program->length;
 	return branch;
 }
@@ -341,16 +377,20 @@ FunctionValue program_end_if(FunctionProgram *program, FunctionBranch *branch, F
 	return (FunctionValue){.reg = branch->result};
 }
 
-FunctionLoop program_loop(FunctionProgram *program, FunctionValue from, FunctionValue to, bool product)
+FunctionLoop program_loop(FunctionProgram *program, FunctionValue from, FunctionValue to,
+			  bool product)
 {
 	FunctionLoop loop = {.product = product, .total = new_registers(program, 1)};
-	FunctionValue limit = program_operation(program, CODE_ADD, from, program_constant(LOOP_LIMIT));
+	FunctionValue limit = program_operation(program, CODE_ADD, from,
+						program_constant(LOOP_LIMIT));
 	int last = register_of(program, program_operation(program, CODE_MIN, to, limit));
 	loop.variable = (FunctionValue){.reg = new_registers(program, 1)};
 	program->straight = false;
 	copy_to(program, loop.total, program_constant(product));
 	copy_to(program, loop.variable.reg, from);
-	loop.top = append(program, (Instruction){.op = CODE_JUMP_BEYOND, .a = (uint16_t)loop.variable.reg, .b = (uint16_t)last});
+	loop.top = append(program, (Instruction){.op = CODE_JUMP_BEYOND,
+						 .a = (uint16_t)loop.variable.reg,
+						 .b = (uint16_t)last});
 	loop.scope = program->length;
 	return loop;
 }
@@ -359,7 +399,10 @@ FunctionValue program_end_loop(FunctionProgram *program, FunctionLoop *loop, Fun
 {
 	uint16_t total = (uint16_t)loop->total, variable = (uint16_t)loop->variable.reg;
 	uint16_t part = (uint16_t)register_of(program, body);
-	append(program, (Instruction){.op = loop->product ? CODE_MUL : CODE_ADD, .to = total, .a = total, .b = part});
+	append(program, (Instruction){.op = loop->product ? CODE_MUL : CODE_ADD,
+				      .to = total,
+				      .a = total,
+				      .b = part});
 	append(program, (Instruction){.op = CODE_ADD_K, .to = variable, .a = variable, .k = 1});
 	int back = append(program, (Instruction){.op = CODE_JUMP});
 	program->code[back].target = (uint32_t)(loop->top - back);
@@ -389,19 +432,25 @@ static int arity_of(const Instruction *i)
 	return i->op == CODE_NATIVE || i->op == CODE_CALL ? i->function->arity : 0;
 }
 
-/* Turns a product that only the next instruction adds into one MUL_ADD (MUL_SUB); the product becomes a JUMP to be
- * removed. A jump target between the two would be fine: nothing else reads the product. */
+/* Turns a product that only the next instruction adds into one MUL_ADD (MUL_SUB); the product
+ * becomes a JUMP to be removed. A jump target between the two would be fine: nothing else reads the
+ * product. */
 static void fuse_products(FunctionProgram *program, const int *uses)
 {
 	for (int n = 1; n < program->length; n++) {
 		Instruction *i = &program->code[n], *product = &program->code[n - 1];
-		bool left = i->a == product->to, usable = product->op == CODE_MUL && uses[product->to] == 1 && i->a != i->b;
-		bool adds = i->op == CODE_ADD && (left || i->b == product->to) && i->to != i->a && i->to != i->b;
+		bool left = i->a == product->to,
+		     usable = product->op == CODE_MUL && uses[product->to] == 1 && i->a != i->b;
+		bool adds = i->op == CODE_ADD && (left || i->b == product->to) && i->to != i->a &&
+			    i->to != i->b;
 		bool subtracts = i->op == CODE_SUB && left;
 		if (!usable || (!adds && !subtracts))
 			continue;
-		*product = (Instruction){.op = adds ? CODE_MUL_ADD : CODE_MUL_SUB, .to = i->to, .a = product->a, .b = product->b,
-		                         .c = left ? i->b : i->a};
+		*product = (Instruction){.op = adds ? CODE_MUL_ADD : CODE_MUL_SUB,
+					 .to = i->to,
+					 .a = product->a,
+					 .b = product->b,
+					 .c = left ? i->b : i->a};
 		*i = (Instruction){.op = CODE_JUMP, .target = 1};
 	}
 }
@@ -423,13 +472,15 @@ static int compact(Arena *scratch, const Instruction *code, int length, Instruct
 	place[length] = count;
 	for (int n = 0; n < length; n++)
 		if (is_jump(&code[n]) && (code[n].op != CODE_JUMP || code[n].target != 1))
-			out[place[n]].target = (uint32_t)(place[n + (int32_t)code[n].target] - place[n]);
+			out[place[n]].target = (uint32_t)(place[n + (int32_t)code[n].target] -
+							  place[n]);
 	return count;
 }
 
 const Function *program_finish(FunctionProgram *program, Arena *arena, FunctionValue result)
 {
-	append(program, (Instruction){.op = CODE_RETURN, .a = (uint16_t)register_of(program, result)});
+	append(program,
+	       (Instruction){.op = CODE_RETURN, .a = (uint16_t)register_of(program, result)});
 	if (program->full)
 		return NULL;
 	int *uses = ARENA_ARRAY(program->scratch, int, program->registers + FUNCTION_MAX_ARGUMENTS);
@@ -438,8 +489,10 @@ const Function *program_finish(FunctionProgram *program, Arena *arena, FunctionV
 	fuse_products(program, uses);
 	Instruction *code = ARENA_ARRAY(arena, Instruction, program->length);
 	Function *function = ARENA_NEW(arena, Function);
-	*function = (Function){.arity = program->arity, .code = code, .register_count = program->registers + 1,
-	                       .straight = program->straight};
+	*function = (Function){.arity = program->arity,
+			       .code = code,
+			       .register_count = program->registers + 1,
+			       .straight = program->straight};
 	function->code_length = compact(program->scratch, program->code, program->length, code);
 	return function;
 }

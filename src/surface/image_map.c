@@ -90,7 +90,8 @@ static Rgbft pixel_color(const ImageMap *map, int x, int y)
 	}
 	const float *c = map->pixels + at * (size_t)map->channels;
 	if (map->channels >= 3)
-		return pixel_clear(map, rgbft(c[0], c[1], c[2], 0, 0), map->channels == 4 ? c[3] : 1, -1);
+		return pixel_clear(map, rgbft(c[0], c[1], c[2], 0, 0),
+				   map->channels == 4 ? c[3] : 1, -1);
 	return pixel_clear(map, rgbft(c[0], c[0], c[0], 0, 0), map->channels == 2 ? c[1] : 1, -1);
 }
 

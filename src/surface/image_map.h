@@ -39,8 +39,8 @@ typedef struct ImageClear {
 } ImageClear;
 
 struct ImageMap {
-	/* The raster: rows from the top, channels interleaved, 1 grey, 2 grey+alpha, 3 RGB, 4 RGB+alpha
-	 * (not premultiplied). */
+	/* The raster: rows from the top, channels interleaved, 1 grey, 2 grey+alpha, 3 RGB, 4
+	 * RGB+alpha (not premultiplied). */
 	int width, height, channels;
 	const float *pixels;    /* linear light */
 	const uint8_t *indices; /* palette indices, or NULL */

@@ -130,7 +130,8 @@ static double perlin_value(Vec3 p)
 		int hash = noise_perlin_hash[(c.x + i + PERLIN_SHIFT_X) & PERLIN_MASK];
 		hash = noise_perlin_hash[(hash + c.y + j + PERLIN_SHIFT_Y) & PERLIN_MASK];
 		const double *g = noise_perlin_gradients[(hash + c.z + k) & PERLIN_MASK];
-		double weight = (i ? c.sx : 1 - c.sx) * (j ? c.sy : 1 - c.sy) * (k ? c.sz : 1 - c.sz);
+		double weight = (i ? c.sx : 1 - c.sx) * (j ? c.sy : 1 - c.sy) *
+				(k ? c.sz : 1 - c.sz);
 		sum += weight * (g[0] * (c.dx - i) + g[1] * (c.dy - j) + g[2] * (c.dz - k));
 	}
 	return clamp_unit(0.5 * (1.59 * sum + 0.985));

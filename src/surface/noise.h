@@ -13,10 +13,11 @@
 enum { NOISE_GENERATOR_DEFAULT = 2 };
 
 typedef struct Turbulence {
-	Vec3 amount; /* how far each axis is moved: the users of the functions below multiply with it */
+	Vec3 amount; /* how far each axis is moved: the users of the functions below multiply with
+			it */
 	int octaves; /* 1..10; 6 */
-	double lambda; /* factor of the frequency from octave to octave; 2. Rounded to single precision,
-	                  as POV-Ray does */
+	double lambda; /* factor of the frequency from octave to octave; 2. Rounded to single
+			  precision, as POV-Ray does */
 	double omega;  /* factor of the size from octave to octave; 0.5. Rounded likewise */
 } Turbulence;
 

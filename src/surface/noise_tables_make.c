@@ -6,9 +6,9 @@
  * - values and derivatives of f_noise_generator(x,y,z,1) at lattice points give the hash of each
  *   point and the 267 entries; the hash is a table shuffled by the linear congruential generator
  *   below from seed 0;
- * - the gradients of generator 3 are those that the same generator draws from seed 1, vectors longer
- *   than 1 rejected; the order in which lattice points use them is no shuffle that could be named,
- *   so it stands here as measured at (0, y, 0);
+ * - the gradients of generator 3 are those that the same generator draws from seed 1, vectors
+ * longer than 1 rejected; the order in which lattice points use them is no shuffle that could be
+ * named, so it stands here as measured at (0, y, 0);
  * - the pattern cells prints the first numbers of the Mersenne twister, by each cube's hash.
  */
 #include <math.h>

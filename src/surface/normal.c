@@ -1,7 +1,8 @@
 /*
- * Normals: the shading normal bent by a pattern. A pattern with a perturbation of its own (bumps, ripples...) adds that; any
- * other is seen as a height field whose slope comes from four samples at the corners of a small tetrahedron, where POV-Ray
- * takes them. Only transformations among the warps turn the normal itself.
+ * Normals: the shading normal bent by a pattern. A pattern with a perturbation of its own (bumps,
+ * ripples...) adds that; any other is seen as a height field whose slope comes from four samples at
+ * the corners of a small tetrahedron, where POV-Ray takes them. Only transformations among the
+ * warps turn the normal itself.
  */
 #include <math.h>
 
@@ -9,7 +10,8 @@
 #include "surface/image_map.h"
 #include "surface/texture.h"
 
-/* POV-Ray's heights are this many times too high, and pits are positive, so that amounts from 0 to 1 look right. */
+/* POV-Ray's heights are this many times too high, and pits are positive, so that amounts from 0 to
+ * 1 look right. */
 static const double HEIGHT_FACTOR = -5.0;
 /* The step that POV-Ray's amounts were tuned for. */
 static const double REFERENCE_ACCURACY = 0.02;
@@ -22,8 +24,8 @@ static const Vec3 CORNERS[4] = {
 	{0.0, 1.0, 0.0},
 };
 
-/* The height over a pattern's value: a Hermite cubic between entries. As in POV-Ray a slope counts per distance of the two
- * entries, not per unit of the value. */
+/* The height over a pattern's value: a Hermite cubic between entries. As in POV-Ray a slope counts
+ * per distance of the two entries, not per unit of the value. */
 static double slope_map_height(const Normal *normal, double value)
 {
 	const SlopeEntry *slopes = normal->slopes;
@@ -44,7 +46,8 @@ static Vec3 bend_by_slope(const Normal *normal, const SurfacePoint *at, Vec3 n)
 	for (int i = 0; i < 4; i++) {
 		SurfacePoint sample = *at;
 		sample.p = vec3_mad(at->p, normal->accuracy, CORNERS[i]);
-		double height = slope_map_height(normal, pattern_value_unwarped(&normal->pattern, &sample));
+		double height = slope_map_height(normal,
+						 pattern_value_unwarped(&normal->pattern, &sample));
 		n = vec3_mad(n, factor * height, CORNERS[i]);
 	}
 	return n;
@@ -75,7 +78,8 @@ static Vec3 bend_by_average(const Normal *normal, const SurfacePoint *at, Vec3 n
 {
 	Vec3 sum = vec3_all(0);
 	for (int i = 0; i < normal->normal_count; i++)
-		sum = vec3_mad(sum, normal->normals[i].key, normal_perturb(normal->normals[i].normal, at, n));
+		sum = vec3_mad(sum, normal->normals[i].key,
+			       normal_perturb(normal->normals[i].normal, at, n));
 	return vec3_length2(sum) > 0 ? sum : n;
 }
 
@@ -90,7 +94,8 @@ static Vec3 bend(const Normal *normal, const SurfacePoint *at, Vec3 n)
 	}
 }
 
-/* A perturbation that cancels the normal, or a pattern that gives no number, leaves the normal as it was. */
+/* A perturbation that cancels the normal, or a pattern that gives no number, leaves the normal as
+ * it was. */
 static Vec3 sound_or(Vec3 n, Vec3 otherwise)
 {
 	return vec3_is_finite(n) && vec3_length2(n) > 0 ? n : otherwise;
@@ -115,7 +120,8 @@ bool normal_uses_uv(const Normal *normal)
 {
 	if (normal->kind == NORMAL_UV)
 		return true;
-	bool nested = normal->kind == NORMAL_NORMAL_MAP || normal->kind == NORMAL_LIST || normal->kind == NORMAL_AVERAGE;
+	bool nested = normal->kind == NORMAL_NORMAL_MAP || normal->kind == NORMAL_LIST ||
+		      normal->kind == NORMAL_AVERAGE;
 	for (int i = 0; nested && i < normal->normal_count; i++)
 		if (normal_uses_uv(normal->normals[i].normal))
 			return true;

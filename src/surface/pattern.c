@@ -55,7 +55,8 @@ int pattern_generator(const Pattern *pattern)
 double pattern_cycloid(double value)
 {
 	const double turn = 2 * M_PI;
-	return value >= 0 ? sin((value - floor(value)) * turn) : -sin((-value - floor(-value)) * turn);
+	return value >= 0 ? sin((value - floor(value)) * turn)
+			  : -sin((-value - floor(-value)) * turn);
 }
 
 double pattern_triangle_wave(double value)

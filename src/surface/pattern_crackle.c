@@ -14,7 +14,8 @@ static const double cube_epsilon = 1e-10;
 
 static Vec3 cube_of(Vec3 p)
 {
-	return vec3(floor(p.x + cube_epsilon), floor(p.y + cube_epsilon), floor(p.z + cube_epsilon));
+	return vec3(floor(p.x + cube_epsilon), floor(p.y + cube_epsilon),
+		    floor(p.z + cube_epsilon));
 }
 
 static double value_cells(const Pattern *pattern, const SurfacePoint *at)
@@ -88,7 +89,8 @@ static Nearest nearest_find(Vec3 p, double metric, int wanted)
 	for (int i = 0; i < 5; i++)
 		for (int j = 0; j < 5; j++) {
 			bool shell = i > 2 || j > 2, edge = i > 2 && j > 2;
-			Vec3 row = {middle.x + cube_offsets[i], middle.y + cube_offsets[j], middle.z};
+			Vec3 row = {middle.x + cube_offsets[i], middle.y + cube_offsets[j],
+				    middle.z};
 			if (!edge && x[i] + y[j] < n.distance[wanted - 1])
 				search_row(&n, p, row, z, x[i] + y[j], shell);
 		}
@@ -107,7 +109,8 @@ static double value_crackle(const Pattern *pattern, const SurfacePoint *at)
 	Nearest n = nearest_find(at->p, crackle->metric, crackle->form.z != 0 ? 3 : 2);
 	if (crackle->solid)
 		return noise_value(n.point, pattern_generator(pattern));
-	double d[3] = {0, 0, 0}, offset = metric_distance(vec3(crackle->offset, 0, 0), crackle->metric);
+	double d[3] = {0, 0, 0},
+	       offset = metric_distance(vec3(crackle->offset, 0, 0), crackle->metric);
 	for (int i = 0; i < n.wanted; i++)
 		d[i] = unpower(n.distance[i] + offset, crackle->metric);
 	double v = crackle->form.x * d[0] + crackle->form.y * d[1] + crackle->form.z * d[2];
@@ -130,7 +133,8 @@ static void bump_facets(const Pattern *pattern, const SurfacePoint *at, double a
 	const FacetsData *facets = pattern->data ? pattern->data : &usual;
 	(void)amount;
 	if (facets->coords == 0) {
-		*normal = vec3_normalize(nearest_find(vec3_scale(*normal, 1 / facets->size), 2, 1).point);
+		*normal = vec3_normalize(
+			nearest_find(vec3_scale(*normal, 1 / facets->size), 2, 1).point);
 		return;
 	}
 	Vec3 cell = nearest_find(vec3_scale(at->p, 1 / facets->size), 2, 1).point;

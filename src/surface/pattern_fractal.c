@@ -156,7 +156,8 @@ static double magnet_julia(const Pattern *pattern, const SurfacePoint *at,
                            Complex (*step)(Complex, Complex))
 {
 	const FractalData *f = pattern->data;
-	return magnet_fractal(f, step, (Complex){at->p.x, at->p.y}, (Complex){f->real, f->imaginary});
+	return magnet_fractal(f, step, (Complex){at->p.x, at->p.y},
+			      (Complex){f->real, f->imaginary});
 }
 
 static double value_magnet1m(const Pattern *p, const SurfacePoint *at)

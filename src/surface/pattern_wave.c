@@ -84,8 +84,11 @@ static double value_waves(const Pattern *pattern, const SurfacePoint *at)
 	WaveData waves = wave_set(pattern, &space);
 	double sum = 0;
 	for (int i = 0; i < waves.count; i++) {
-		double length = wave_distance(vec3_sub(at->p, waves.sources[i])), f = waves.frequencies[i];
-		sum += pattern_cycloid(length * (float)pattern->frequency * f + (float)pattern->phase) / f;
+		double length = wave_distance(vec3_sub(at->p, waves.sources[i])),
+		       f = waves.frequencies[i];
+		sum += pattern_cycloid(length * (float)pattern->frequency * f +
+				       (float)pattern->phase) /
+		       f;
 	}
 	return 0.2 * (2.5 + sum / waves.count);
 }
@@ -98,8 +101,8 @@ static void bump_ripples(const Pattern *pattern, const SurfacePoint *at, double 
 	for (int i = 0; i < waves.count; i++) {
 		Vec3 offset = vec3_sub(at->p, waves.sources[i]);
 		double length = wave_distance(offset);
-		double push = amount *
-		              pattern_cycloid(length * (float)pattern->frequency + (float)pattern->phase);
+		double push = amount * pattern_cycloid(length * (float)pattern->frequency +
+						       (float)pattern->phase);
 		*normal = vec3_mad(*normal, push / length / waves.count, offset);
 	}
 }

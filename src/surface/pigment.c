@@ -1,6 +1,6 @@
 /*
- * Pigments: the colour of a point. Pigments inside a map, a list or an average are asked at the point as the outer pattern's
- * warps bent it, as POV-Ray does.
+ * Pigments: the colour of a point. Pigments inside a map, a list or an average are asked at the
+ * point as the outer pattern's warps bent it, as POV-Ray does.
  */
 #include <math.h>
 
@@ -26,7 +26,8 @@ static Rgbft pigment_map_color(const Pigment *pigment, const SurfacePoint *at)
 	Rgbft upper = pigment_color(entries[span.upper].pigment, at);
 	if (span.lower == span.upper)
 		return upper;
-	return rgbft_lerp(pigment_color(entries[span.lower].pigment, at), upper, (float)span.weight);
+	return rgbft_lerp(pigment_color(entries[span.lower].pigment, at), upper,
+			  (float)span.weight);
 }
 
 static Rgbft average_color(const Pigment *pigment, const SurfacePoint *at)
@@ -103,7 +104,8 @@ bool pigment_uses_uv(const Pigment *pigment)
 {
 	if (pigment->kind == PIGMENT_UV)
 		return true;
-	bool nested = pigment->kind == PIGMENT_PIGMENT_MAP || pigment->kind == PIGMENT_LIST || pigment->kind == PIGMENT_AVERAGE;
+	bool nested = pigment->kind == PIGMENT_PIGMENT_MAP || pigment->kind == PIGMENT_LIST ||
+		      pigment->kind == PIGMENT_AVERAGE;
 	for (int i = 0; nested && i < pigment->pigment_count; i++)
 		if (pigment_uses_uv(pigment->pigments[i].pigment))
 			return true;

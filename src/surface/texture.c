@@ -1,7 +1,7 @@
 /*
- * Textures: from a texture and a place to the layers that the integrator lights. A map or an average of textures becomes
- * several stacks of layers with weights. Points and normals go down through the transformations of each level; bent normals
- * come back up the same way.
+ * Textures: from a texture and a place to the layers that the integrator lights. A map or an
+ * average of textures becomes several stacks of layers with weights. Points and normals go down
+ * through the transformations of each level; bent normals come back up the same way.
  */
 #include <math.h>
 
@@ -9,8 +9,8 @@
 #include "surface/image_map.h"
 #include "surface/texture.h"
 
-/* Where a texture is asked, and how its space was reached from the outer one (the world when there is none): by frame, or
- * through the transformations of a patterned texture. */
+/* Where a texture is asked, and how its space was reached from the outer one (the world when there
+ * is none): by frame, or through the transformations of a patterned texture. */
 typedef struct Place Place;
 struct Place {
 	SurfacePoint at;        /* p in the texture's space */
@@ -29,7 +29,8 @@ static Vec3 normal_to_world(const Place *place, Vec3 n)
 {
 	for (; place; place = place->outer) {
 		if (place->through)
-			n = out_of(place->through->transform, pattern_unwarp_normal(&place->through->pattern, n));
+			n = out_of(place->through->transform,
+				   pattern_unwarp_normal(&place->through->pattern, n));
 		n = out_of(place->frame, n);
 	}
 	return vec3_normalize(n);
@@ -57,7 +58,8 @@ static SurfacePoint point_inside(const Texture *texture, const Place *place)
 static ShadingLayer shade_layer(const Texture *texture, const Place *place)
 {
 	SurfacePoint inner = point_inside(texture, place);
-	ShadingLayer layer = {.normal = layer_normal(texture, place, &inner), .finish = texture->finish};
+	ShadingLayer layer = {.normal = layer_normal(texture, place, &inner),
+			      .finish = texture->finish};
 	inner.normal = layer.normal; /* what slope sees in a pigment */
 	layer.color = pigment_color(texture->pigment, &inner);
 	return layer;
@@ -81,7 +83,8 @@ static void shade_average(const Texture *texture, const Place *inner, double wei
 	for (int i = 0; i < texture->texture_count; i++)
 		total += texture->textures[i].key;
 	for (int i = 0; total != 0 && i < texture->texture_count; i++)
-		shade(texture->textures[i].texture, inner, weight * texture->textures[i].key / total, out);
+		shade(texture->textures[i].texture, inner,
+		      weight * texture->textures[i].key / total, out);
 }
 
 static void shade_map(const Texture *texture, const Place *inner, double weight, Shading *out)
@@ -94,7 +97,8 @@ static void shade_map(const Texture *texture, const Place *inner, double weight,
 		shade(entries[span.lower].texture, inner, weight * (1 - span.weight), out);
 }
 
-static void shade_material_map(const Texture *texture, const Place *inner, double weight, Shading *out)
+static void shade_material_map(const Texture *texture, const Place *inner, double weight,
+			       Shading *out)
 {
 	int index = image_map_index(texture->image, inner->at.p) % texture->texture_count;
 	shade(texture->textures[index < 0 ? 0 : index].texture, inner, weight, out);
@@ -116,7 +120,8 @@ static void shade(const Texture *texture, const Place *place, double weight, Sha
 		return;
 	}
 	inner.at.p = pattern_warp_point(&texture->pattern, &inner.at);
-	inner.normal = pattern_warp_normal(&texture->pattern, into(texture->transform, place->normal));
+	inner.normal = pattern_warp_normal(&texture->pattern,
+					   into(texture->transform, place->normal));
 	switch (texture->kind) {
 	case TEXTURE_AVERAGE: shade_average(texture, &inner, weight, out); break;
 	case TEXTURE_MATERIAL_MAP: shade_material_map(texture, &inner, weight, out); break;
@@ -134,7 +139,8 @@ static void rescale(Shading *out)
 		out->stacks[i].weight /= total;
 }
 
-void texture_shade(const Texture *texture, const Transform *attach, const SurfacePoint *at, Shading *out)
+void texture_shade(const Texture *texture, const Transform *attach, const SurfacePoint *at,
+		   Shading *out)
 {
 	Place place = {.at = *at, .normal = into(attach, at->normal), .frame = attach};
 	place.at.p = attach ? transform_point_inverse(attach, at->world) : at->world;
@@ -162,7 +168,8 @@ static bool layer_uses_uv(const Texture *texture)
 	if (texture->kind == TEXTURE_UV)
 		return true;
 	if (texture->kind == TEXTURE_PLAIN)
-		return pigment_uses_uv(texture->pigment) || (texture->normal && normal_uses_uv(texture->normal));
+		return pigment_uses_uv(texture->pigment) ||
+		       (texture->normal && normal_uses_uv(texture->normal));
 	for (int i = 0; i < texture->texture_count; i++)
 		if (texture_uses_uv(texture->textures[i].texture))
 			return true;
@@ -192,7 +199,8 @@ const struct Interior *texture_interior(const Texture *texture)
 		if (texture->kind == TEXTURE_PLAIN && texture->finish->interior)
 			return texture->finish->interior;
 		for (int i = 0; i < texture->texture_count; i++) {
-			const struct Interior *inside = texture_interior(texture->textures[i].texture);
+			const struct Interior *inside = texture_interior(
+				texture->textures[i].texture);
 			if (inside)
 				return inside;
 		}

@@ -1,6 +1,7 @@
 /*
- * Pigments, normals, finishes, textures and interiors: what POV-Ray's texture { } and interior { } blocks say. Plain
- * immutable data, made by lang, evaluated here. Points come in world space at the top and are taken down by transforms.
+ * Pigments, normals, finishes, textures and interiors: what POV-Ray's texture { } and interior { }
+ * blocks say. Plain immutable data, made by lang, evaluated here. Points come in world space at the
+ * top and are taken down by transforms.
  */
 #ifndef SURFACE_TEXTURE_H
 #define SURFACE_TEXTURE_H
@@ -49,7 +50,15 @@ bool pigment_uses_uv(const Pigment *pigment);
 
 /* ---- normal: a perturbation of the shading normal ---- */
 
-typedef enum NormalKind { NORMAL_PATTERN, NORMAL_SLOPE_MAP, NORMAL_NORMAL_MAP, NORMAL_LIST, NORMAL_AVERAGE, NORMAL_BUMP_MAP, NORMAL_UV } NormalKind;
+typedef enum NormalKind {
+	NORMAL_PATTERN,
+	NORMAL_SLOPE_MAP,
+	NORMAL_NORMAL_MAP,
+	NORMAL_LIST,
+	NORMAL_AVERAGE,
+	NORMAL_BUMP_MAP,
+	NORMAL_UV
+} NormalKind;
 
 typedef struct SlopeEntry { double key, height, slope; } SlopeEntry;
 typedef struct NormalEntry { double key; const Normal *normal; } NormalEntry;
@@ -66,8 +75,8 @@ struct Normal {
 	bool no_bump_scale;
 };
 
-/* The perturbed normal for the normal n; at->p, n and the result are in the space that the normal block stands in (its
- * warps lead down from there). Unit, unless no_bump_scale keeps lengths. */
+/* The perturbed normal for the normal n; at->p, n and the result are in the space that the normal
+ * block stands in (its warps lead down from there). Unit, unless no_bump_scale keeps lengths. */
 Vec3 normal_perturb(const Normal *normal, const SurfacePoint *at, Vec3 n);
 
 bool normal_uses_uv(const Normal *normal);
@@ -90,21 +99,29 @@ typedef struct Finish {
 		float falloff, exponent, metallic;
 	} reflection;
 	struct { float amount, thickness, turbulence; } irid;
-	const struct Interior *interior; /* from words of old versions (ior, caustics, fade_distance in a finish), or NULL */
+	const struct Interior *interior; /* from words of old versions (ior, caustics, fade_distance
+					    in a finish), or NULL */
 } Finish;
 
 Finish finish_default(void);
 
 /* ---- texture ---- */
 
-typedef enum TextureKind { TEXTURE_PLAIN, TEXTURE_MAP, TEXTURE_LIST, TEXTURE_AVERAGE, TEXTURE_MATERIAL_MAP, TEXTURE_UV } TextureKind;
+typedef enum TextureKind {
+	TEXTURE_PLAIN,
+	TEXTURE_MAP,
+	TEXTURE_LIST,
+	TEXTURE_AVERAGE,
+	TEXTURE_MATERIAL_MAP,
+	TEXTURE_UV
+} TextureKind;
 
 typedef struct TextureEntry { double key; const Texture *texture; } TextureEntry;
 
 struct Texture {
 	TextureKind kind;
-	const Transform *transform; /* texture space to the space it is attached in; NULL: the same. Applies to everything in this
-	                             * struct, not to next */
+	const Transform *transform; /* texture space to the space it is attached in; NULL: the same.
+				     * Applies to everything in this struct, not to next */
 	const Pigment *pigment;     /* PLAIN; never NULL */
 	const Normal *normal;       /* PLAIN; may be NULL */
 	const Finish *finish;       /* PLAIN; never NULL */
@@ -114,7 +131,8 @@ struct Texture {
 	const Texture *next;        /* the layer above this one, or NULL */
 };
 
-/* What the integrator shades: stacks of layers with weights that add up to 1. Layers of a stack come bottom to top. */
+/* What the integrator shades: stacks of layers with weights that add up to 1. Layers of a stack
+ * come bottom to top. */
 typedef struct ShadingLayer {
 	Rgbft color;
 	Vec3 normal; /* unit, world */
@@ -131,10 +149,11 @@ typedef struct Shading {
 	ShadingStack stacks[SHADING_MAX_STACKS]; int stack_count;
 } Shading;
 
-/* Evaluates the texture at a world point; at->p is ignored, at->world used. attach is the transform from the space the
- * texture was attached in to the world (NULL: none). When stacks run out the later ones are dropped and the weights
- * rescaled. */
-void texture_shade(const Texture *texture, const Transform *attach, const SurfacePoint *at, Shading *out);
+/* Evaluates the texture at a world point; at->p is ignored, at->world used. attach is the transform
+ * from the space the texture was attached in to the world (NULL: none). When stacks run out the
+ * later ones are dropped and the weights rescaled. */
+void texture_shade(const Texture *texture, const Transform *attach, const SurfacePoint *at,
+		   Shading *out);
 
 /* True when no place of it lets light through. May say false for an opaque one. */
 bool texture_is_opaque(const Texture *texture);
@@ -158,7 +177,8 @@ typedef struct Interior {
 } Interior;
 
 Interior interior_default(void);
-/* The index of refraction for a hue: 0 red, 1 violet, 0.5 the scene's own number. dispersion is violet's over red's. */
+/* The index of refraction for a hue: 0 red, 1 violet, 0.5 the scene's own number. dispersion is
+ * violet's over red's. */
 double interior_ior(const Interior *interior, double hue);
 /* The colour of a hue, such that hues evenly spread over [0, 1] make white. */
 Rgb interior_hue_color(double hue);

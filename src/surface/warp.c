@@ -141,7 +141,8 @@ static Vec3 apply_black_hole(const WarpBlackHole *hole, Vec3 p)
 static Vec3 orient(const WarpMapping *m, double u, double v, double d)
 {
 	Vec3 o = vec3_normalize(m->orientation);
-	return vec3(o.x * d + (o.y + o.z) * u, (o.x + o.z) * v - o.y * d, o.y * v + o.z * d - o.x * u);
+	return vec3(o.x * d + (o.y + o.z) * u, (o.x + o.z) * v - o.y * d,
+		    o.y * v + o.z * d - o.x * u);
 }
 
 /* The angle about the y axis from x towards z, as a fraction of a turn in [0, 1). */

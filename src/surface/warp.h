@@ -16,8 +16,8 @@
 
 typedef enum WarpKind {
 	WARP_TRANSFORM,
-	WARP_CLASSIC, /* the words turbulence, octaves, lambda, omega in a pattern itself; at most one,
-	                 see warp_add_classic */
+	WARP_CLASSIC, /* the words turbulence, octaves, lambda, omega in a pattern itself; at most
+			 one, see warp_add_classic */
 	WARP_TURBULENCE, /* warp { turbulence } */
 	WARP_REPEAT,
 	WARP_BLACK_HOLE,

@@ -21,8 +21,10 @@ static const double margin = 0.15;
 static void floor_of(double u, double v, double *x, double *y)
 {
 	double a = 2 * M_PI;
-	*x = u + 0.035 * cos(a * (2 * u + v)) + 0.03 * cos(a * (3 * u - 2 * v) + 1) + 0.012 * cos(a * 5 * v + 2);
-	*y = v + 0.0175 * cos(a * (2 * u + v)) - 0.02 * cos(a * (3 * u - 2 * v) + 1) + 0.02 * cos(a * 4 * v);
+	*x = u + 0.035 * cos(a * (2 * u + v)) + 0.03 * cos(a * (3 * u - 2 * v) + 1) +
+	     0.012 * cos(a * 5 * v + 2);
+	*y = v + 0.0175 * cos(a * (2 * u + v)) - 0.02 * cos(a * (3 * u - 2 * v) + 1) +
+	     0.02 * cos(a * 4 * v);
 }
 
 static void add_sample(double *image, double u, double v, double flux)
@@ -40,7 +42,8 @@ static double *make_reference(void)
 	double flux = width * width / REFERENCE_SIDE / REFERENCE_SIDE;
 	for (int j = 0; j < REFERENCE_SIDE; j++)
 		for (int i = 0; i < REFERENCE_SIDE; i++)
-			add_sample(image, (i + 0.5) / REFERENCE_SIDE * width - margin, (j + 0.5) / REFERENCE_SIDE * width - margin, flux);
+			add_sample(image, (i + 0.5) / REFERENCE_SIDE * width - margin,
+				   (j + 0.5) / REFERENCE_SIDE * width - margin, flux);
 	return image;
 }
 
@@ -56,10 +59,13 @@ static PhotonMap *make_map(long count, int pass)
 	map->lights[0] = (PhotonLight){map->count, width * width, 2};
 	for (uint32_t i = 0; i < map->count; i++) {
 		uint64_t number = (uint64_t)pass * map->count + i + 1;
-		double u = random_halton(number, 0) * width - margin, v = random_halton(number, 1) * width - margin, x, y;
+		double u = random_halton(number, 0) * width - margin,
+		       v = random_halton(number, 1) * width - margin, x, y;
 		floor_of(u, v, &x, &y);
 		Photon *p = &map->photons[i];
-		*p = (Photon){.position = {(float)x, 0, (float)y}, .emitter = {(float)u, (float)v}, .edges = 2};
+		*p = (Photon){.position = {(float)x, 0, (float)y},
+			      .emitter = {(float)u, (float)v},
+			      .edges = 2};
 		photon_set_flux(p, rgb_scale(rgb(1, 1, 1), (float)(1.0 / (double)count)));
 		photon_set_direction(p, vec3(0, 1, 0));
 		photon_set_normal(p, vec3(0, 1, 0));
@@ -75,7 +81,8 @@ static Rgb white(void *data, Vec3 direction)
 	return rgb(1, 1, 1);
 }
 
-static void add_estimate(const PhotonMap *map, const Estimator *method, double radius, double *image, double *seconds)
+static void add_estimate(const PhotonMap *map, const Estimator *method, double radius,
+			 double *image, double *seconds)
 {
 	Diag *diag = diag_create(NULL);
 	PhotonSettings settings = photon_settings_default();
@@ -84,8 +91,10 @@ static void add_estimate(const PhotonMap *map, const Estimator *method, double r
 	double start = clock_cpu();
 	for (int j = 0; j < SIDE; j++) {
 		for (int i = 0; i < SIDE; i++) {
-			GatherPoint point = {.position = vec3((i + 0.5) / SIDE, 0, (j + 0.5) / SIDE), .normal = vec3(0, 1, 0),
-			                     .footprint = 1.0 / SIDE};
+			GatherPoint point = {
+				.position = vec3((i + 0.5) / SIDE, 0, (j + 0.5) / SIDE),
+				.normal = vec3(0, 1, 0),
+				.footprint = 1.0 / SIDE};
 			GatherResult result;
 			estimator_gather(estimator, &point, white, NULL, &result);
 			image[j * SIDE + i] += result.radiance.r;
@@ -104,7 +113,8 @@ static double error_of(const double *image, double scale, const double *referenc
 	return sqrt(sum / (SIDE * SIDE));
 }
 
-static double measure(const PhotonMap *map, const Estimator *method, const double *reference, double *seconds)
+static double measure(const PhotonMap *map, const Estimator *method, const double *reference,
+		      double *seconds)
 {
 	double *image = calloc(SIDE * SIDE, sizeof *image);
 	add_estimate(map, method, 0, image, seconds);
@@ -120,14 +130,18 @@ static void compare(long photons, const double *reference)
 	double seconds, micro = 1e6 / SIDE / SIDE;
 	PhotonMap *map = make_map(photons, 0);
 	for (int i = 0; i < 6; i++) {
-		Estimator e = {.kind = ESTIMATOR_NEAREST, .kernel = KERNEL_EPANECHNIKOV, .count = counts[i]};
+		Estimator e = {.kind = ESTIMATOR_NEAREST,
+			       .kernel = KERNEL_EPANECHNIKOV,
+			       .count = counts[i]};
 		double error = measure(map, &e, reference, &seconds);
-		printf("%8ld  nearest %4d     %.4f  %6.2f us\n", photons, counts[i], error, seconds * micro);
+		printf("%8ld  nearest %4d     %.4f  %6.2f us\n", photons, counts[i], error,
+		       seconds * micro);
 	}
 	for (int i = 0; i < 6; i++) {
 		Estimator e = {.kind = ESTIMATOR_FOOTPRINT, .scale = scales[i]};
 		double error = measure(map, &e, reference, &seconds);
-		printf("%8ld  footprint %4.1f   %.4f  %6.2f us\n", photons, scales[i], error, seconds * micro);
+		printf("%8ld  footprint %4.1f   %.4f  %6.2f us\n", photons, scales[i], error,
+		       seconds * micro);
 	}
 	photon_map_destroy(map);
 }

@@ -47,8 +47,9 @@ static PhotonMap *make_photons(uint32_t paths)
 		double from[2], to[2];
 		wave_start(i + 1, from);
 		wave_map(from[0], from[1], to);
-		Photon photon = {.position = {(float)to[0], 0, (float)to[1]}, .emitter = {(float)from[0], (float)from[1], 0},
-		                 .edges = 2};
+		Photon photon = {.position = {(float)to[0], 0, (float)to[1]},
+				 .emitter = {(float)from[0], (float)from[1], 0},
+				 .edges = 2};
 		photon_set_flux(&photon, rgb((float)flux, (float)flux, (float)flux));
 		photon_set_normal(&photon, vec3(0, 1, 0));
 		map->photons[map->count++] = photon;
@@ -64,7 +65,8 @@ static double estimate(const PhotonMap *map, double x, double z, int k)
 	int count = photon_tree_nearest(map->tree, &query, near);
 	double r2 = photon_tree_farthest(near, count), sum = 0;
 	for (int i = 0; i < count; i++)
-		sum += (double)photon_flux(&map->photons[near[i].index]).r * (1 - near[i].distance2 / r2);
+		sum += (double)photon_flux(&map->photons[near[i].index]).r *
+		       (1 - near[i].distance2 / r2);
 	return sum * 2 / (M_PI * r2);
 }
 
@@ -81,7 +83,8 @@ static void estimate_row(void *data, long row, int thread)
 	for (int column = 0; column < PIXELS; column++) {
 		double sum = 0;
 		for (int s = 0; s < SAMPLES * SAMPLES; s++) {
-			double x = column + (s % SAMPLES + 0.5) / SAMPLES, z = (double)row + (s / SAMPLES + 0.5) / SAMPLES;
+			double x = column + (s % SAMPLES + 0.5) / SAMPLES,
+			       z = (double)row + (s / SAMPLES + 0.5) / SAMPLES;
 			sum += estimate(job->map, x / PIXELS, z / PIXELS, job->k);
 		}
 		job->image->at[row * PIXELS + column] = sum / (SAMPLES * SAMPLES);
@@ -127,7 +130,8 @@ static Row measure(const char *name, PhotonMap *map, const Image *reference)
 static void compare(const char *name, const Row *row, const Row *nearest)
 {
 	printf("%-22s K = 15: %.3f of nearest's K = 15; best K: %.3f of nearest's best\n", name,
-	       row->at[FIFTEEN].rmse / nearest->at[FIFTEEN].rmse, row->at[row->best].rmse / nearest->at[nearest->best].rmse);
+	       row->at[FIFTEEN].rmse / nearest->at[FIFTEEN].rmse,
+	       row->at[row->best].rmse / nearest->at[nearest->best].rmse);
 }
 
 static Row relaxed(const char *name, uint32_t paths, Relaxation settings, const Image *reference)
@@ -144,14 +148,15 @@ static Row relaxed(const char *name, uint32_t paths, Relaxation settings, const 
 static Relaxation read_settings(const char *text)
 {
 	Relaxation s = relaxation_default();
-	sscanf(text, "%d,%d,%lf,%d,%d", &s.parameter_iterations, &s.world_iterations, &s.range, &s.neighbors,
-	       &s.repulsion_neighbors);
+	sscanf(text, "%d,%d,%lf,%d,%d", &s.parameter_iterations, &s.world_iterations, &s.range,
+	       &s.neighbors, &s.repulsion_neighbors);
 	return s;
 }
 
 int main(int argc, char **argv)
 {
-	const char *const defaults[] = {"", "7,0"}, *const *settings = argc > 2 ? (const char *const *)argv + 2 : defaults;
+	const char *const defaults[] = {"", "7,0"},
+			  *const *settings = argc > 2 ? (const char *const *)argv + 2 : defaults;
 	int count = argc > 2 ? argc - 2 : 2;
 	uint32_t paths = argc > 1 ? (uint32_t)atoi(argv[1]) : 60000;
 	Relaxation plain = relaxation_default();
@@ -163,7 +168,8 @@ int main(int argc, char **argv)
 		printf(" %13d", counts[i]);
 	printf("\n");
 	PhotonMap *map = make_photons(paths);
-	Row nearest = measure("nearest", map, reference), row = relaxed("plain", paths, plain, reference);
+	Row nearest = measure("nearest", map, reference),
+	    row = relaxed("plain", paths, plain, reference);
 	compare("plain", &row, &nearest);
 	for (int i = 0; i < count; i++) {
 		char name[64];

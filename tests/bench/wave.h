@@ -18,8 +18,9 @@ typedef struct Wave { double x, z, phase, height; } Wave;
  * Wave numbers, phases, heights times distance: two to three sheets lie over each other in places.
  */
 static const Wave waves[WAVES] = {
-	{9.1, 3.7, 0.3, 3.5e-3}, {-4.2, 12.6, 1.9, 3.0e-3}, {17.3, -8.8, 4.1, 1.44e-3}, {6.4, 21.0, 5.2, 1.2e-3},
-	{-29.0, 11.0, 2.7, 4.8e-4}, {14.0, 33.0, 0.9, 3.8e-4}, {41.0, 27.0, 3.3, 1.8e-4},
+	{9.1, 3.7, 0.3, 3.5e-3},   {-4.2, 12.6, 1.9, 3.0e-3},  {17.3, -8.8, 4.1, 1.44e-3},
+	{6.4, 21.0, 5.2, 1.2e-3},  {-29.0, 11.0, 2.7, 4.8e-4}, {14.0, 33.0, 0.9, 3.8e-4},
+	{41.0, 27.0, 3.3, 1.8e-4},
 };
 
 static inline void wave_map(double x, double z, double to[2])

@@ -20,7 +20,8 @@ static PhotonMap *caustic_trace(const char *text)
 	close(file);
 	Diag *diag = diag_create(stdout);
 	diag_set_warnings(diag, false);
-	SceneBuilder builder = {.arena = arena_create(), .diag = diag, .settings = settings_default()};
+	SceneBuilder builder = {
+		.arena = arena_create(), .diag = diag, .settings = settings_default()};
 	builder.camera = camera_default(1);
 	ReaderOptions options = {.path = path, .image_width = 160, .image_height = 120};
 	Scene *scene = reader_read(&options, &builder, diag) ? scene_freeze(&builder) : NULL;

@@ -1,6 +1,6 @@
 /*
- * Stand-ins for lang's builders: an item is printed as a tree, a declared item becomes its word. With them the parser's tests
- * need no renderer.
+ * Stand-ins for lang's builders: an item is printed as a tree, a declared item becomes its word.
+ * With them the parser's tests need no renderer.
  */
 #ifndef TESTS_UNIT_PARSER_STUB_H
 #define TESTS_UNIT_PARSER_STUB_H

@@ -1,4 +1,5 @@
-/* Written by tests/measure_patterns.sh with POV-Ray 3.7.0.10: values at the four points of test_pattern.c. */
+/* Written by tests/measure_patterns.sh with POV-Ray 3.7.0.10: values at the four points of
+ * test_pattern.c. */
 static const MeasuredPattern measured[] = {
 	{"bozo", "bozo noise_generator 1",
 		{0.435497388887773, 0.427092830568617, 0.694705328839288, 1.000000000000000}},

@@ -10,7 +10,8 @@
 
 static SceneBuilder scene_start(Diag *diag)
 {
-	SceneBuilder builder = {.arena = arena_create(), .diag = diag, .settings = settings_default()};
+	SceneBuilder builder = {
+		.arena = arena_create(), .diag = diag, .settings = settings_default()};
 	builder.camera = camera_default(1);
 	builder.camera.location = vec3(0, 0, -5);
 	builder.background = rgbft(0, 0, 0, 0, 0);
@@ -40,7 +41,8 @@ static Finish scene_finish(void)
 	return finish;
 }
 
-static Object *scene_add(SceneBuilder *builder, const ShapeClass *class, const void *data, const Texture *texture)
+static Object *scene_add(SceneBuilder *builder, const ShapeClass *class, const void *data,
+			 const Texture *texture)
 {
 	Object *object = ARENA_NEW(builder->arena, Object);
 	*object = object_default(OBJECT_PRIMITIVE);

@@ -15,7 +15,8 @@ static inline Shape test_shape(const ShapeClass *class, const void *data)
 
 static inline Vec3 test_point(Sampler *sampler, double size)
 {
-	double x = sampler_next(sampler) - 0.5, y = sampler_next(sampler) - 0.5, z = sampler_next(sampler) - 0.5;
+	double x = sampler_next(sampler) - 0.5, y = sampler_next(sampler) - 0.5,
+	       z = sampler_next(sampler) - 0.5;
 	return vec3(2 * size * x, 2 * size * y, 2 * size * z);
 }
 
@@ -25,7 +26,8 @@ static inline Ray test_ray(Sampler *sampler, double size)
 {
 	Vec3 from = vec3_scale(vec3_normalize(test_point(sampler, 1)), 3 * size);
 	double speed = 0.2 + sampler_next(sampler);
-	return (Ray){from, vec3_scale(vec3_sub(test_point(sampler, 0.6 * size), from), speed), -1e9, 1e9};
+	return (Ray){from, vec3_scale(vec3_sub(test_point(sampler, 0.6 * size), from), speed), -1e9,
+		     1e9};
 }
 
 /* What may be checked of a class. */
@@ -39,7 +41,8 @@ typedef struct ShapeTraits {
 } ShapeTraits;
 
 /* Inside must change at every crossing, and the normal point to the outside. */
-static inline int test_crossings(const Shape *shape, const Ray *ray, const HitList *list, const ShapeTraits *traits)
+static inline int test_crossings(const Shape *shape, const Ray *ray, const HitList *list,
+				 const ShapeTraits *traits)
 {
 	double speed = vec3_length(ray->direction), step = traits->step / speed;
 	int bad = 0;
@@ -81,13 +84,16 @@ static inline int test_in_box(const Shape *shape, const Ray *ray, const HitList 
 /* The same data under a transform must be hit at the same parameters by the transformed ray. */
 static inline int test_transformed(const Shape *shape, const Ray *ray, const HitList *list)
 {
-	Transform spin = transform_rotate(vec3(20, -50, 130)), grow = transform_scale(vec3(2, 0.5, 3));
-	Transform shift = transform_translate(vec3(5, -7, 1)), both = transform_compose(&spin, &grow);
+	Transform spin = transform_rotate(vec3(20, -50, 130)),
+		  grow = transform_scale(vec3(2, 0.5, 3));
+	Transform shift = transform_translate(vec3(5, -7, 1)),
+		  both = transform_compose(&spin, &grow);
 	Transform all = transform_compose(&both, &shift);
 	Shape moved = *shape;
 	moved.transform = &all;
 	shape_finish(&moved);
-	Ray world = {transform_point(&all, ray->origin), transform_vector(&all, ray->direction), ray->tmin, ray->tmax};
+	Ray world = {transform_point(&all, ray->origin), transform_vector(&all, ray->direction),
+		     ray->tmin, ray->tmax};
 	HitList other;
 	hit_list_init(&other);
 	shape_intersect(&moved, &world, &other);
@@ -115,14 +121,16 @@ static inline void check_shape(const Shape *shape, const ShapeTraits *traits, in
 		shape_intersect(shape, &ray, &list);
 		hit_list_sort(&list);
 		hits += list.count;
-		bad += test_crossings(shape, &ray, &list, traits) + test_nearest(shape, &ray, &list);
+		bad += test_crossings(shape, &ray, &list, traits) +
+		       test_nearest(shape, &ray, &list);
 		bad += test_in_box(shape, &ray, &list);
 		moved += traits->fixed ? 0 : test_transformed(shape, &ray, &list);
 		hit_list_free(&list);
 	}
 	if (hits < rays / 20 || bad > rays / 200 || moved > rays / 200) {
 		check_failures++;
-		printf("%s: %d rays, %d crossings, %d misfits, %d when moved\n", traits->name, rays, hits, bad, moved);
+		printf("%s: %d rays, %d crossings, %d misfits, %d when moved\n", traits->name, rays,
+		       hits, bad, moved);
 	}
 }
 

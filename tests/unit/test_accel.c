@@ -1,4 +1,5 @@
-/* The accelerator gives the same answers as asking every shape, for few shapes, many, meshes, far eyes and filters. */
+/* The accelerator gives the same answers as asking every shape, for few shapes, many, meshes, far
+ * eyes and filters. */
 #include "scene/accel.h"
 
 #include "base/arena.h"
@@ -19,7 +20,8 @@ static double uniform(uint64_t index, uint64_t dimension)
 
 static Vec3 place(uint64_t index, double size)
 {
-	return vec3(size * (uniform(index, 0) - 0.5), size * (uniform(index, 1) - 0.5), size * (uniform(index, 2) - 0.5));
+	return vec3(size * (uniform(index, 0) - 0.5), size * (uniform(index, 1) - 0.5),
+		    size * (uniform(index, 2) - 0.5));
 }
 
 static const Shape *finish(Arena *arena, const ShapeClass *class, const void *data)
@@ -35,8 +37,10 @@ static const Shape *small_shape(Arena *arena, uint64_t index)
 {
 	Vec3 p = place(index, 10);
 	if (index % 2)
-		return finish(arena, &sphere_class, sphere_create(arena, p, 0.05 + 0.5 * uniform(index, 3)));
-	Vec3 q = vec3_add(p, vec3(0.1 + uniform(index, 4), 0.1 + uniform(index, 5), 0.1 + uniform(index, 6)));
+		return finish(arena, &sphere_class,
+			      sphere_create(arena, p, 0.05 + 0.5 * uniform(index, 3)));
+	Vec3 q = vec3_add(
+		p, vec3(0.1 + uniform(index, 4), 0.1 + uniform(index, 5), 0.1 + uniform(index, 6)));
 	return finish(arena, &box_class, box_create(arena, p, q));
 }
 
@@ -44,7 +48,10 @@ static const Shape *quad_mesh(Arena *arena)
 {
 	static const float vertices[4][3] = {{-3, -3, 1}, {3, -3, 1}, {3, 3, 1.5f}, {-3, 3, 1.5f}};
 	static const int triangles[2][3] = {{0, 1, 2}, {0, 2, 3}};
-	MeshDesc desc = {.vertices = vertices, .vertex_count = 4, .triangles = triangles, .triangle_count = 2};
+	MeshDesc desc = {.vertices = vertices,
+			 .vertex_count = 4,
+			 .triangles = triangles,
+			 .triangle_count = 2};
 	const char *error = NULL;
 	return finish(arena, &mesh_class, mesh_create(arena, &desc, &error));
 }
@@ -76,7 +83,8 @@ static void check_rays(const Shape *const *shapes, int count, double eye_distanc
 	Accel *accel = accel_create(shapes, count);
 	for (uint64_t i = 0; i < 2000; i++) {
 		Vec3 from = vec3_scale(vec3_normalize(place(i + 1000, 1)), eye_distance);
-		Ray ray = {from, vec3_normalize(vec3_sub(place(i + 9000, 8), from)), 1e-6, INFINITY};
+		Ray ray = {from, vec3_normalize(vec3_sub(place(i + 9000, 8), from)), 1e-6,
+			   INFINITY};
 		Hit expected, got;
 		bool hit = brute_nearest(shapes, &ray, false, &expected);
 		CHECK(accel_nearest(accel, &ray, NULL, NULL, &got) == hit);

@@ -34,28 +34,35 @@ static void check_point(Vec3 p, double x, double y, double z)
 
 static void test_transform(void)
 {
-	/* POV-Ray: rotating x by 90 degrees about z gives y; z by 90 about y gives x; y by 90 about x gives z. */
+	/* POV-Ray: rotating x by 90 degrees about z gives y; z by 90 about y gives x; y by 90 about
+	 * x gives z. */
 	Transform r = transform_rotate(vec3(0, 0, 90));
 	check_point(transform_point(&r, vec3(1, 0, 0)), 0, 1, 0);
 	r = transform_rotate(vec3(0, 90, 0));
 	check_point(transform_point(&r, vec3(0, 0, 1)), 1, 0, 0);
 	r = transform_rotate(vec3(90, 0, 0));
 	check_point(transform_point(&r, vec3(0, 1, 0)), 0, 0, 1);
-	Transform a = transform_rotate(vec3(20, 30, 40)), b = transform_scale(vec3(1, 2, 3)), c = transform_translate(vec3(4, 5, 6));
+	Transform a = transform_rotate(vec3(20, 30, 40)), b = transform_scale(vec3(1, 2, 3)),
+		  c = transform_translate(vec3(4, 5, 6));
 	Transform t = transform_compose(&a, &b);
 	t = transform_compose(&t, &c);
-	Vec3 p = vec3(0.3, -0.7, 1.1), q = transform_point(&c, transform_point(&b, transform_point(&a, p)));
+	Vec3 p = vec3(0.3, -0.7, 1.1),
+	     q = transform_point(&c, transform_point(&b, transform_point(&a, p)));
 	check_point(transform_point(&t, p), q.x, q.y, q.z);
 	check_point(transform_point_inverse(&t, q), p.x, p.y, p.z);
 	double scale, rows[12] = {1, 2, 0, 0, 1, 0, 0, 3, 2, 7, 8, 9};
-	CHECK(transform_is_similarity(&a, &scale) && fabs(scale - 1) < 1e-12 && !transform_is_similarity(&t, &scale));
+	CHECK(transform_is_similarity(&a, &scale) && fabs(scale - 1) < 1e-12 &&
+	      !transform_is_similarity(&t, &scale));
 	CHECK(transform_matrix(rows, &t));
 	check_point(transform_point(&t, vec3(1, 0, 0)), 8, 10, 9);
 	check_point(transform_point_inverse(&t, vec3(8, 10, 9)), 1, 0, 0);
-	CHECK(!transform_matrix((double[12]){1, 0, 0, 2, 0, 0, 0, 0, 1, 0, 0, 0}, &t) && transform_is_identity(&t));
+	CHECK(!transform_matrix((double[12]){1, 0, 0, 2, 0, 0, 0, 0, 1, 0, 0, 0}, &t) &&
+	      transform_is_identity(&t));
 	/* A normal stays orthogonal to its plane. */
 	t = transform_compose(&a, &b);
-	CHECK_NEAR(vec3_dot(transform_normal(&t, vec3(1, 0, 0)), transform_vector(&t, vec3(0, 1, 1))), 0, 1e-12);
+	CHECK_NEAR(
+		vec3_dot(transform_normal(&t, vec3(1, 0, 0)), transform_vector(&t, vec3(0, 1, 1))),
+		0, 1e-12);
 	Box3 half = transform_box(&a, (Box3){{-INFINITY, 0, 0}, {0, 1, 1}});
 	CHECK(!box3_is_empty(half) && half.lo.x == -INFINITY);
 }
@@ -81,7 +88,9 @@ static void test_frame(void)
 {
 	for (int i = 0; i < 100; i++) {
 		Sampler s = {3, (uint64_t)i, 0};
-		Vec3 n = vec3(sampler_next(&s) - 0.5, sampler_next(&s) - 0.5, i % 10 ? sampler_next(&s) - 0.5 : 0), u, v;
+		Vec3 n = vec3(sampler_next(&s) - 0.5, sampler_next(&s) - 0.5,
+			      i % 10 ? sampler_next(&s) - 0.5 : 0),
+		     u, v;
 		n = vec3_normalize(n);
 		vec3_frame(n, &u, &v);
 		Vec3 w = vec3_cross(u, v);

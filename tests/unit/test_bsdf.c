@@ -1,4 +1,5 @@
-/* The scattering interface: density integrates to one, no more light than comes, events against Fresnel and Snell. */
+/* The scattering interface: density integrates to one, no more light than comes, events against
+ * Fresnel and Snell. */
 #include "surface/bsdf.h"
 
 #include "base/random.h"
@@ -18,7 +19,10 @@ static Finish finish_of(float diffuse)
 static Bsdf bsdf_of(const ShadingLayer *layers, int count, Vec3 from, double ior)
 {
 	BsdfPlace place = {
-		.from = vec3_normalize(from), .geometric = {0, 0, 1}, .ior = ior, .irid_wavelength = {0.25f, 0.18f, 0.14f},
+		.from = vec3_normalize(from),
+		.geometric = {0, 0, 1},
+		.ior = ior,
+		.irid_wavelength = {0.25f, 0.18f, 0.14f},
 	};
 	Bsdf bsdf;
 	bsdf_init(&bsdf, layers, count, &place);
@@ -27,7 +31,8 @@ static Bsdf bsdf_of(const ShadingLayer *layers, int count, Vec3 from, double ior
 
 static Vec3 sphere_direction(uint64_t i)
 {
-	double z = 2 * random_uniform(1, i, 0) - 1, turn = TURN * random_uniform(1, i, 1), radius = sqrt(1 - z * z);
+	double z = 2 * random_uniform(1, i, 0) - 1, turn = TURN * random_uniform(1, i, 1),
+	       radius = sqrt(1 - z * z);
 	return vec3(radius * cos(turn), radius * sin(turn), z);
 }
 
@@ -40,7 +45,8 @@ static void check_pdf(void)
 	const uint64_t count = 200000;
 	for (uint64_t i = 0; i < count; i++)
 		sum += bsdf_pdf(&bsdf, sphere_direction(i));
-	/* Standard deviation of the mean: 4 pi sqrt(1/6 - 1/16) / pi / sqrt(count) / ... under 0.003. */
+	/* Standard deviation of the mean: 4 pi sqrt(1/6 - 1/16) / pi / sqrt(count) / ... under
+	 * 0.003. */
 	CHECK_NEAR(sum / (double)count * 4 * PI, 1, 0.012);
 }
 
@@ -50,7 +56,8 @@ static double sampled_albedo(const Bsdf *bsdf)
 	double sum = 0;
 	const uint64_t count = 100000;
 	for (uint64_t i = 0; i < count; i++) {
-		double u[3] = {random_uniform(2, i, 0), random_uniform(2, i, 1), random_uniform(2, i, 2)};
+		double u[3] = {random_uniform(2, i, 0), random_uniform(2, i, 1),
+			       random_uniform(2, i, 2)};
 		BsdfEvent event;
 		if (bsdf_sample(bsdf, u, TRANSPORT_FLUX, &event))
 			sum += event.weight.g;
@@ -74,7 +81,8 @@ static void check_energy(void)
 	CHECK_NEAR(albedo, 0.8 * 0.5 + 0.5 * 0.75 + 0.25, 0.02);
 }
 
-/* A brilliant lobe: integral of cos^b over the hemisphere is 2 pi / (b + 1), in eval's units 2 / (b + 1). */
+/* A brilliant lobe: integral of cos^b over the hemisphere is 2 pi / (b + 1), in eval's units 2 / (b
+ * + 1). */
 static void check_brilliance(void)
 {
 	Finish finish = finish_of(0.6f);
@@ -87,7 +95,8 @@ static void check_brilliance(void)
 	CHECK_NEAR(sampled_albedo(&bsdf), 0.6, 0.01);
 }
 
-/* Diffuse light goes both ways alike: exchanging the directions of a flat surface changes eval by the cosines alone. */
+/* Diffuse light goes both ways alike: exchanging the directions of a flat surface changes eval by
+ * the cosines alone. */
 static void check_reciprocity(void)
 {
 	Finish finish = finish_of(0.7f);
@@ -99,7 +108,8 @@ static void check_reciprocity(void)
 		a = vec3_normalize(a);
 		b = vec3_normalize(b);
 		Bsdf forth = bsdf_of(&layer, 1, a, 1), back = bsdf_of(&layer, 1, b, 1);
-		CHECK_NEAR(bsdf_eval(&forth, b, true).r / b.z, bsdf_eval(&back, a, true).r / a.z, 1e-5);
+		CHECK_NEAR(bsdf_eval(&forth, b, true).r / b.z, bsdf_eval(&back, a, true).r / a.z,
+			   1e-5);
 	}
 }
 
@@ -137,7 +147,8 @@ static void check_layers(void)
 	Finish glowing = finish_of(0);
 	glowing.emission = rgb_all(1);
 	ShadingLayer layers[2] = {
-		{{1, 0.5f, 0.2f, 0, 0}, {0, 0, 1}, &glowing}, {{0.2f, 0.6f, 0.5f, 0.3f, 0.4f}, {0, 0, 1}, &glowing},
+		{{1, 0.5f, 0.2f, 0, 0}, {0, 0, 1}, &glowing},
+		{{0.2f, 0.6f, 0.5f, 0.3f, 0.4f}, {0, 0, 1}, &glowing},
 	};
 	Bsdf bsdf = bsdf_of(layers, 2, vec3(0, 0, 1), 1);
 	Rgb light = bsdf_emission(&bsdf, rgb_all(1));
@@ -147,14 +158,18 @@ static void check_layers(void)
 	CHECK(rgb_is_black(bsdf.through));
 }
 
-/* A film's turbulence changes its thickness from place to place; without it every place is the same. */
+/* A film's turbulence changes its thickness from place to place; without it every place is the
+ * same. */
 static void check_film(void)
 {
 	Finish finish = finish_of(1);
 	finish.irid.amount = 0.5f;
 	finish.irid.thickness = 2;
 	ShadingLayer layer = {{1, 1, 1, 0, 0}, {0, 0, 1}, &finish};
-	BsdfPlace place = {.from = {0, 0, 1}, .geometric = {0, 0, 1}, .ior = 1, .irid_wavelength = {0.25f, 0.18f, 0.14f}};
+	BsdfPlace place = {.from = {0, 0, 1},
+			   .geometric = {0, 0, 1},
+			   .ior = 1,
+			   .irid_wavelength = {0.25f, 0.18f, 0.14f}};
 	float least = INFINITY, most = -INFINITY;
 	for (int i = 0; i < 100; i++) {
 		Bsdf bsdf;

@@ -1,6 +1,7 @@
 /*
- * The camera's frame from its words. Expected numbers follow POV-Ray 3.7, whose images do not change when the words of a
- * camera change places: angle sets the distance from the final right vector, then look_at turns, then transformations move.
+ * The camera's frame from its words. Expected numbers follow POV-Ray 3.7, whose images do not
+ * change when the words of a camera change places: angle sets the distance from the final right
+ * vector, then look_at turns, then transformations move.
  */
 #include "lang/build_camera.h"
 
@@ -39,8 +40,10 @@ static void check_vector(Vec3 v, double x, double y, double z)
 
 static void test_order_does_not_count(void)
 {
-	Node first[] = {word(W_angle), number(90), word(W_look_at), vector(5, 0, 0), word(W_right), vector(2, 0, 0)};
-	Node second[] = {word(W_right), vector(2, 0, 0), word(W_angle), number(90), word(W_look_at), vector(5, 0, 0)};
+	Node first[] = {word(W_angle),   number(90),    word(W_look_at),
+			vector(5, 0, 0), word(W_right), vector(2, 0, 0)};
+	Node second[] = {word(W_right), vector(2, 0, 0), word(W_angle),
+			 number(90),    word(W_look_at), vector(5, 0, 0)};
 	Camera a = BUILD(first), b = BUILD(second);
 	check_vector(a.direction, 1, 0, 0); /* 0.5 * 2 / tan 45 */
 	check_vector(a.right, 0, 0, -2);
@@ -51,8 +54,8 @@ static void test_order_does_not_count(void)
 
 static void test_transform_comes_last(void)
 {
-	Node nodes[] = {word(W_location), vector(0, 0, -4), word(W_rotate), vector(0, 90, 0), word(W_look_at),
-	                vector(0, 0, 0)};
+	Node nodes[] = {word(W_location), vector(0, 0, -4), word(W_rotate),
+			vector(0, 90, 0), word(W_look_at),  vector(0, 0, 0)};
 	Camera camera = BUILD(nodes);
 	check_vector(camera.location, -4, 0, 0);
 	check_vector(camera.direction, 1, 0, 0);
@@ -78,24 +81,27 @@ static void test_straight_down(void)
 /* As wide as a perspective camera sees at look_at, unless up or right say how wide. */
 static void test_orthographic_size(void)
 {
-	Node free[] = {word(W_orthographic), word(W_location), vector(0, 0, -8), word(W_look_at), vector(0, 0, 0)};
+	Node free[] = {word(W_orthographic), word(W_location), vector(0, 0, -8), word(W_look_at),
+		       vector(0, 0, 0)};
 	Camera camera = BUILD(free);
 	check_vector(camera.right, 1.33 * 8, 0, 0);
 	check_vector(camera.up, 0, 8, 0);
-	Node sized[] = {word(W_orthographic), word(W_location), vector(0, 0, -8), word(W_up), vector(0, 3, 0)};
+	Node sized[] = {word(W_orthographic), word(W_location), vector(0, 0, -8), word(W_up),
+			vector(0, 3, 0)};
 	camera = BUILD(sized);
 	check_vector(camera.right, 1.33, 0, 0);
 	check_vector(camera.up, 0, 3, 0);
-	Node angled[] = {word(W_orthographic), word(W_angle), number(90), word(W_right), vector(2, 0, 0), word(W_location),
-	                 vector(0, 0, -8), word(W_look_at), vector(0, 0, 0)};
+	Node angled[] = {word(W_orthographic), word(W_angle),   number(90),
+			 word(W_right),        vector(2, 0, 0), word(W_location),
+			 vector(0, 0, -8),     word(W_look_at), vector(0, 0, 0)};
 	camera = BUILD(angled);
 	check_vector(camera.right, 16, 0, 0);
 }
 
 static void test_focal_distance(void)
 {
-	Node nodes[] = {word(W_location), vector(0, 0, -4), word(W_focal_point), vector(3, 0, 0), word(W_translate),
-	                vector(9, 9, 9)};
+	Node nodes[] = {word(W_location), vector(0, 0, -4),  word(W_focal_point),
+			vector(3, 0, 0),  word(W_translate), vector(9, 9, 9)};
 	CHECK_NEAR(BUILD(nodes).focal_distance, 5, 1e-12);
 }
 

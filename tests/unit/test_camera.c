@@ -64,7 +64,8 @@ static void check_omnimax(void)
 	Camera camera = camera_default(1);
 	camera.kind = CAMERA_OMNIMAX;
 	Ray ray;
-	CHECK(!camera_ray(&camera, 7.3333, 3.75, 8, 6, PINHOLE, &ray)); /* more than 45 degrees down, seen from the side */
+	CHECK(!camera_ray(&camera, 7.3333, 3.75, 8, 6, PINHOLE,
+			  &ray)); /* more than 45 degrees down, seen from the side */
 	double theta = 0.5 * (1.411269 - 0.09439 * 0.25 + 0.25674 * 0.0625);
 	check_direction(ray_of(&camera, 4, 1.5), 0, sin(theta), cos(theta));
 	camera.right = vec3(4.0 / 3, 0, 0);

@@ -83,8 +83,10 @@ static void test_inversion(Arena *arena)
 	const double cut[3][6] = {{-5, -2, 3, 5}, {-5, -2, 3, 5}, {-5, -1, 2, 5}};
 	for (int i = 0; i < 3; i++) {
 		Shape *hole = new_csg(arena, classes[i], a, b);
-		Shape *flagged = new_csg(arena, &csg_intersection_class, big, new_inverse(arena, hole));
-		const Shape *copy = new_csg(arena, &csg_intersection_class, big, csg_invert(arena, hole));
+		Shape *flagged = new_csg(arena, &csg_intersection_class, big,
+					 new_inverse(arena, hole));
+		const Shape *copy = new_csg(arena, &csg_intersection_class, big,
+					    csg_invert(arena, hole));
 		check_axis(flagged, cut[i], 4);
 		check_axis(copy, cut[i], 4);
 		CHECK(flagged->box.hi.x < 5.1 && copy->box.hi.x < 5.1);
@@ -94,7 +96,10 @@ static void test_inversion(Arena *arena)
 			CHECK(shape_inside(flagged, p) == shape_inside(copy, p));
 			CHECK(shape_inside(new_inverse(arena, hole), p) != shape_inside(hole, p));
 		}
-		check_shape(copy, &(ShapeTraits){.name = "inverted csg", .size = 5, .step = 1e-6, .fixed = true}, 500);
+		check_shape(copy,
+			    &(ShapeTraits){
+				    .name = "inverted csg", .size = 5, .step = 1e-6, .fixed = true},
+			    500);
 	}
 }
 
@@ -108,7 +113,8 @@ static void test_many_children(Arena *arena)
 	Csg plain = {.children = holes, .count = COUNT};
 	Shape *with_tree = new_shape(arena, &csg_union_class, csg_create(arena, holes, COUNT));
 	Shape *without = new_shape(arena, &csg_union_class, &plain);
-	Shape *block = new_shape(arena, &box_class, box_create(arena, vec3(-4, -4, -1), vec3(4, 4, 1)));
+	Shape *block = new_shape(arena, &box_class,
+				 box_create(arena, vec3(-4, -4, -1), vec3(4, 4, 1)));
 	Shape *one = new_csg(arena, &csg_intersection_class, block, new_inverse(arena, with_tree));
 	Shape *other = new_csg(arena, &csg_intersection_class, block, new_inverse(arena, without));
 	for (int n = 0; n < 2000; n++) {
@@ -119,21 +125,31 @@ static void test_many_children(Arena *arena)
 		CHECK(shape_nearest(other, &ray, &b) == found);
 		CHECK(!found || (a.t == b.t && a.shape == b.shape));
 	}
-	const Shape *drilled = new_csg(arena, &csg_intersection_class, block, csg_invert(arena, with_tree));
-	check_shape(drilled, &(ShapeTraits){.name = "block with holes", .size = 4, .step = 1e-6, .fixed = true}, 1000);
+	const Shape *drilled = new_csg(arena, &csg_intersection_class, block,
+				       csg_invert(arena, with_tree));
+	check_shape(
+		drilled,
+		&(ShapeTraits){.name = "block with holes", .size = 4, .step = 1e-6, .fixed = true},
+		1000);
 	const Shape *deep = csg_invert(arena, csg_invert(arena, drilled));
-	check_shape(deep, &(ShapeTraits){.name = "inverted twice", .size = 4, .step = 1e-6, .fixed = true}, 1000);
+	check_shape(
+		deep,
+		&(ShapeTraits){.name = "inverted twice", .size = 4, .step = 1e-6, .fixed = true},
+		1000);
 }
 
 static void test_nested(Arena *arena)
 {
 	Shape *shell = new_csg(arena, &csg_intersection_class, new_sphere(arena, vec3_all(0), 3),
 	                       new_inverse(arena, new_sphere(arena, vec3_all(0), 2)));
-	Shape *half = new_shape(arena, &plane_class, plane_create(arena, vec3(1, 0, 0), 0.5, &message));
+	Shape *half = new_shape(arena, &plane_class,
+				plane_create(arena, vec3(1, 0, 0), 0.5, &message));
 	check_axis(new_csg(arena, &csg_intersection_class, shell, half), (double[]){-3, -2}, 2);
-	Shape *rest = new_csg(arena, &csg_intersection_class, new_sphere(arena, vec3_all(0), 4), csg_invert(arena, shell));
+	Shape *rest = new_csg(arena, &csg_intersection_class, new_sphere(arena, vec3_all(0), 4),
+			      csg_invert(arena, shell));
 	check_axis(rest, (double[]){-4, -3, -2, 2, 3, 4}, 6);
-	check_shape(rest, &(ShapeTraits){.name = "nested", .size = 4, .step = 1e-6, .fixed = true}, 1000);
+	check_shape(rest, &(ShapeTraits){.name = "nested", .size = 4, .step = 1e-6, .fixed = true},
+		    1000);
 }
 
 static Shape *new_plane(Arena *arena, Vec3 normal, double distance)
@@ -146,7 +162,8 @@ static void test_cut_bounds(Arena *arena)
 {
 	const double waist[10] = {1, -1, 1, 0, 0, 0, 0, 0, 0, -1};
 	Shape *quadric = new_shape(arena, &quadric_class, quadric_create(arena, waist));
-	Shape *top = new_plane(arena, vec3(0, 1, 0), 2), *bottom = new_plane(arena, vec3(0, -1, 0), 1);
+	Shape *top = new_plane(arena, vec3(0, 1, 0), 2),
+	      *bottom = new_plane(arena, vec3(0, -1, 0), 1);
 	Shape *ends = new_csg(arena, &csg_intersection_class, top, bottom);
 	CHECK(!shape_is_bounded(ends));
 	Shape *both = new_csg(arena, &csg_intersection_class, quadric, ends);
@@ -155,11 +172,14 @@ static void test_cut_bounds(Arena *arena)
 	CHECK_NEAR(both->box.hi.y, 2, 1e-8);
 	CHECK_NEAR(both->box.lo.x, -sqrt(5), 1e-8);
 	CHECK_NEAR(both->box.hi.z, sqrt(5), 1e-8);
-	check_shape(both, &(ShapeTraits){.name = "waist", .size = 3, .step = 1e-6, .fixed = true}, 1000);
-	CHECK(!shape_is_bounded(new_csg(arena, &csg_intersection_class, new_inverse(arena, quadric), ends)));
+	check_shape(both, &(ShapeTraits){.name = "waist", .size = 3, .step = 1e-6, .fixed = true},
+		    1000);
+	CHECK(!shape_is_bounded(
+		new_csg(arena, &csg_intersection_class, new_inverse(arena, quadric), ends)));
 }
 
-/* A class with the transform in its data gives the crossings that the transform beside them gives. */
+/* A class with the transform in its data gives the crossings that the transform beside them gives.
+ */
 static void check_placed(Arena *arena, const Shape *plain, Transform transform)
 {
 	Shape beside = *plain, within = *plain;
@@ -176,7 +196,9 @@ static void check_placed(Arena *arena, const Shape *plain, Transform transform)
 		CHECK(hit == shape_nearest(&within, &ray, &b));
 		if (hit) {
 			CHECK_NEAR(a.t, b.t, 1e-9);
-			CHECK_NEAR(vec3_dot(hit_normal(&a, ray_at(&ray, a.t)), hit_normal(&b, ray_at(&ray, b.t))), 1, 1e-9);
+			CHECK_NEAR(vec3_dot(hit_normal(&a, ray_at(&ray, a.t)),
+					    hit_normal(&b, ray_at(&ray, b.t))),
+				   1, 1e-9);
 		}
 		CHECK(shape_inside(&beside, from) == shape_inside(&within, from));
 	}
@@ -185,9 +207,11 @@ static void check_placed(Arena *arena, const Shape *plain, Transform transform)
 static void test_placed(Arena *arena)
 {
 	const double bowl[10] = {1, 2, 0.5, 0.3, -0.2, 0.1, 0.4, 0, -1, -1};
-	Transform turn = transform_rotate(vec3(20, 30, 40)), stretch = transform_scale(vec3(1, 2, 0.7));
+	Transform turn = transform_rotate(vec3(20, 30, 40)),
+		  stretch = transform_scale(vec3(1, 2, 0.7));
 	Transform move = transform_translate(vec3(1, 2, 3)), even = transform_scale(vec3_all(1.5));
-	Transform turned = transform_compose(&turn, &stretch), upright = transform_compose(&stretch, &move);
+	Transform turned = transform_compose(&turn, &stretch),
+		  upright = transform_compose(&stretch, &move);
 	turned = transform_compose(&turned, &move);
 	even = transform_compose(&even, &move);
 	check_placed(arena, new_shape(arena, &quadric_class, quadric_create(arena, bowl)), turned);

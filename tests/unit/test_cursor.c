@@ -21,8 +21,8 @@ static Node block(Node *nodes, int count)
 
 static void test_takes(void)
 {
-	Node nodes[] = {value(value_float(2)), word(W_hollow), word(W_phong), value(value_float(0.5)), word(W_hollow),
-	                value(value_float(0))};
+	Node nodes[] = {value(value_float(2)),   word(W_hollow), word(W_phong),
+			value(value_float(0.5)), word(W_hollow), value(value_float(0))};
 	Node all = block(nodes, 6);
 	Cursor cursor = cursor_begin(&context, &all);
 	Vec3 v;
@@ -30,7 +30,8 @@ static void test_takes(void)
 	CHECK(cursor_take_vec3(&cursor, &v) && v.z == 2);
 	CHECK(!cursor_accept_word(&cursor, W_phong));
 	CHECK(cursor_accept_word(&cursor, W_hollow) && cursor_optional_bool(&cursor));
-	CHECK(cursor_accept_word(&cursor, W_phong) && cursor_take_float(&cursor, &number) && number == 0.5);
+	CHECK(cursor_accept_word(&cursor, W_phong) && cursor_take_float(&cursor, &number) &&
+	      number == 0.5);
 	CHECK(cursor_accept_word(&cursor, W_hollow) && !cursor_optional_bool(&cursor));
 	CHECK(cursor_end(&cursor));
 	CHECK(diag_errors(context.diag) == 0);
@@ -38,7 +39,8 @@ static void test_takes(void)
 
 static void test_floats_from_vectors(void)
 {
-	Node nodes[] = {value(value_vec3(vec3(1, 2, 3))), value(value_float(4)), value(value_vec3(vec3(5, 6, 7)))};
+	Node nodes[] = {value(value_vec3(vec3(1, 2, 3))), value(value_float(4)),
+			value(value_vec3(vec3(5, 6, 7)))};
 	Node all = block(nodes, 3);
 	Cursor cursor = cursor_begin(&context, &all);
 	double out[7];
@@ -49,7 +51,8 @@ static void test_floats_from_vectors(void)
 /* The mistake is reported once; the walk goes on at the next word. */
 static void test_recovers(void)
 {
-	Node nodes[] = {word(W_phong), value(value_string("no")), value(value_float(1)), word(W_hollow)};
+	Node nodes[] = {word(W_phong), value(value_string("no")), value(value_float(1)),
+			word(W_hollow)};
 	Node all = block(nodes, 4);
 	Cursor cursor = cursor_begin(&context, &all);
 	double number = 7;

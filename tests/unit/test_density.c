@@ -101,8 +101,10 @@ static void test_uniform(void)
 {
 	PhotonMap *map = uniform_map(20000);
 	for (size_t i = 0; i < sizeof uniform_cases / sizeof *uniform_cases; i++) {
-		DensityEstimator *estimator = make(&uniform_cases[i].method, map, uniform_cases[i].radius);
-		double deviation, mean = mean_density(estimator, &deviation), noise = uniform_cases[i].noise;
+		DensityEstimator *estimator = make(&uniform_cases[i].method, map,
+						   uniform_cases[i].radius);
+		double deviation, mean = mean_density(estimator, &deviation),
+				  noise = uniform_cases[i].noise;
 		CHECK_NEAR(mean, 1, 0.02); /* the points' discs overlap: some 60 independent ones */
 		CHECK(deviation > 0.7 * noise && deviation < 1.3 * noise);
 		estimator_destroy(estimator);
@@ -194,9 +196,12 @@ static void test_other_surfaces(void)
 		DensityEstimator *estimator = make(&every_method[i], map, 0);
 		double sum = 0;
 		for (int k = 0; k < 100; k++)
-			sum += gather(estimator, 0.3 + 0.04 * (k % 10), 0, 0.3 + 0.004 * k).radiance.r / 100;
+			sum += gather(estimator, 0.3 + 0.04 * (k % 10), 0, 0.3 + 0.004 * k)
+				       .radiance.r /
+			       100;
 		CHECK_NEAR(sum, 1, 0.08);
-		GatherPoint point = {.position = vec3(0.5, 0, 0.5), .normal = up, .both_sides = true};
+		GatherPoint point = {
+			.position = vec3(0.5, 0, 0.5), .normal = up, .both_sides = true};
 		GatherResult one = gather(estimator, 0.5, 0, 0.5), both;
 		estimator_gather(estimator, &point, white, NULL, &both);
 		CHECK_NEAR(both.radiance.r, 2 * one.radiance.r, 0.8 * one.radiance.r);
@@ -210,7 +215,8 @@ static void check_finite(const PhotonMap *map, double most)
 	for (int i = 0; i < METHODS; i++) {
 		double at = value_at(&every_method[i], map, 0.5, 0, 0.5);
 		double near = value_at(&every_method[i], map, 0.51, 0, 0.5);
-		CHECK(isfinite(at) && isfinite(near) && at >= 0 && near >= 0 && at <= most && near <= most);
+		CHECK(isfinite(at) && isfinite(near) && at >= 0 && near >= 0 && at <= most &&
+		      near <= most);
 	}
 }
 
@@ -243,14 +249,17 @@ static void test_order(void)
 		turned->photons[map->count - 1 - i] = map->photons[i];
 	photon_map_index(turned, 0);
 	for (int i = 1; i < METHODS; i++) {
-		DensityEstimator *a = make(&every_method[i], map, 0), *b = make(&every_method[i], turned, 0);
+		DensityEstimator *a = make(&every_method[i], map, 0),
+				 *b = make(&every_method[i], turned, 0);
 		for (int k = 0; k < 50; k++) {
-			GatherResult x = gather(a, 0.2 + 0.01 * k, 0, 0.5), y = gather(b, 0.2 + 0.01 * k, 0, 0.5);
+			GatherResult x = gather(a, 0.2 + 0.01 * k, 0, 0.5),
+				     y = gather(b, 0.2 + 0.01 * k, 0, 0.5);
 			CHECK_NEAR(y.radiance.r, x.radiance.r, 1e-4 * x.radiance.r);
 			CHECK_NEAR(x.radiance.b, 3 * x.radiance.r, 1e-3 * x.radiance.b);
 			CHECK(x.photons == y.photons && x.edges == 2 && x.parameter.g == 0.5f);
 		}
-		CHECK(every_method[i].count == 0 || gather(a, 0.5, 0, 0.5).photons == every_method[i].count);
+		CHECK(every_method[i].count == 0 ||
+		      gather(a, 0.5, 0, 0.5).photons == every_method[i].count);
 		estimator_destroy(a);
 		estimator_destroy(b);
 	}

@@ -49,7 +49,8 @@ static void test_operators(void)
 	CHECK_NEAR(binary(OP_LESS_EQUAL, 1, 0.99999999999), 1, 0);
 	CHECK_NEAR(binary(OP_AND, 1e-11, 1), 0, 0);
 	CHECK_NEAR(expression_unary(&context, OP_NOT, number(1e-11), nowhere).number, 1, 0);
-	check_vector(expression_binary(&context, OP_ADD, vector(1, 2, 3), number(1), nowhere), 2, 3, 4);
+	check_vector(expression_binary(&context, OP_ADD, vector(1, 2, 3), number(1), nowhere), 2, 3,
+		     4);
 	Value pair = {.kind = VALUE_VECTOR, .size = 2, .v = {2, 3}};
 	check_vector(expression_binary(&context, OP_MUL, pair, vector(1, 2, 3), nowhere), 2, 6, 0);
 	Value text[2] = {value_string("a"), value_string("b")};
@@ -78,7 +79,8 @@ static void test_colors(void)
 	builder.settings.assumed_gamma = 0;
 	c = expression_color(&context, W_rgb, number(0.5), nowhere);
 	CHECK(c.v[2] == 0.5 && c.v[3] == 0 && c.v[4] == 0);
-	CHECK_NEAR(expression_member(&context, vector(1, 2, 3), "gray", nowhere).number, 1.817, 1e-12);
+	CHECK_NEAR(expression_member(&context, vector(1, 2, 3), "gray", nowhere).number, 1.817,
+		   1e-12);
 	c = expression_color_part(&context, c, W_filter, number(0.7), nowhere);
 	CHECK(c.v[3] == 0.7 && c.v[0] == 0.5);
 }
@@ -102,7 +104,8 @@ static void test_functions(void)
 	CHECK_NEAR(call(W_select, 4, number(1e-11), number(1), number(2), number(3)).number, 3, 0);
 	CHECK_NEAR(call(W_max, 3, number(3), number(1), number(2)).number, 3, 0);
 	CHECK_NEAR(call(W_bitwise_xor, 3, number(12), number(10), number(3)).number, 5, 0);
-	check_vector(call(W_vrotate, 2, vector(1, 2, 3), vector(30, 40, 50)), 1.801281062, 2.507690147, 2.113498678);
+	check_vector(call(W_vrotate, 2, vector(1, 2, 3), vector(30, 40, 50)), 1.801281062,
+		     2.507690147, 2.113498678);
 	Value turned = call(W_vaxis_rotate, 3, vector(1, 2, 3), vector(1, 1, 0), number(30));
 	check_vector(turned, 2.127647470, 0.872352530, 2.951629602);
 	Value t = call(W_vturbulence, 4, number(2), number(0.5), number(6), vector(0.3, 1.7, 2.9));
@@ -121,10 +124,14 @@ static void test_strings(void)
 	CHECK_STRING(call(W_str, 3, number(1.5), number(-8), number(2)).string, "00001.50");
 	CHECK_STRING(call(W_str, 3, number(-2.5), number(-8), number(0)).string, "-0000002");
 	CHECK_STRING(call(W_str, 3, number(1.5), number(0), number(-1)).string, "1.500000");
-	Value v = call(W_vstr, 5, number(2), vector(1, 2, 3), value_string(" "), number(6), number(1));
+	Value v = call(W_vstr, 5, number(2), vector(1, 2, 3), value_string(" "), number(6),
+		       number(1));
 	CHECK_STRING(v.string, "   1.0    2.0");
-	CHECK_STRING(call(W_substr, 3, value_string("ABCDEFGHI"), number(4), number(2)).string, "DE");
-	CHECK_STRING(call(W_concat, 3, value_string("a"), value_string(""), value_string("bc")).string, "abc");
+	CHECK_STRING(call(W_substr, 3, value_string("ABCDEFGHI"), number(4), number(2)).string,
+		     "DE");
+	CHECK_STRING(
+		call(W_concat, 3, value_string("a"), value_string(""), value_string("bc")).string,
+		"abc");
 	CHECK_STRING(call(W_chr, 1, number(8364)).string, "\xe2\x82\xac");
 	CHECK_NEAR(call(W_asc, 1, value_string("\xe2\x82\xac")).number, 8364, 0);
 	CHECK_NEAR(call(W_strlen, 1, value_string("a\xc3\xa9")).number, 2, 0);
@@ -152,16 +159,23 @@ static void test_arrays(void)
 	CHECK(diag_errors(context.diag) == before + 5);
 }
 
-static const double spline_points[6][3] = {{0, 1, 2}, {1, 3, -1}, {1.5, 2, 2}, {3, 0, 1}, {4, 1, 1}, {5.5, -2, 0}};
+static const double spline_points[6][3] = {{0, 1, 2}, {1, 3, -1}, {1.5, 2, 2},
+					   {3, 0, 1}, {4, 1, 1},  {5.5, -2, 0}};
 
 static const Spline *make_spline(Word kind)
 {
 	Node *nodes = ARENA_ARRAY(context.parse, Node, 13);
 	nodes[0] = (Node){.kind = NODE_WORD, .word = kind, .next = &nodes[1]};
 	for (int i = 0; i < 6; i++) {
-		Value point = {.kind = VALUE_VECTOR, .size = 2, .v = {spline_points[i][1], spline_points[i][2]}};
-		nodes[1 + 2 * i] = (Node){.kind = NODE_VALUE, .value = number(spline_points[i][0]), .next = &nodes[2 + 2 * i]};
-		nodes[2 + 2 * i] = (Node){.kind = NODE_VALUE, .value = point, .next = i < 5 ? &nodes[3 + 2 * i] : NULL};
+		Value point = {.kind = VALUE_VECTOR,
+			       .size = 2,
+			       .v = {spline_points[i][1], spline_points[i][2]}};
+		nodes[1 + 2 * i] = (Node){.kind = NODE_VALUE,
+					  .value = number(spline_points[i][0]),
+					  .next = &nodes[2 + 2 * i]};
+		nodes[2 + 2 * i] = (Node){.kind = NODE_VALUE,
+					  .value = point,
+					  .next = i < 5 ? &nodes[3 + 2 * i] : NULL};
 	}
 	Node block = {.kind = NODE_BLOCK, .word = W_spline, .children = nodes};
 	return spline_build(&context, &block).spline;
@@ -193,7 +207,8 @@ static void test_user_function(void)
 {
 	const char *const names[1] = {"x"};
 	function_open(&context, names, 1);
-	CHECK(function_argument(&context, "u", 1) == 0 && function_argument(&context, "y", 1) == -1);
+	CHECK(function_argument(&context, "u", 1) == 0 &&
+	      function_argument(&context, "y", 1) == -1);
 	Value x = expression_constant(&context, W_x, nowhere);
 	CHECK(x.kind == VALUE_EXPRESSION);
 	Value choice = call(W_select, 3, x, call(W_sin, 1, x), number(2));
@@ -203,11 +218,13 @@ static void test_user_function(void)
 	Value range[2] = {number(1), number(4.5)};
 	Value body = expression_binary(&context, OP_MUL, square, x, nowhere);
 	Value total = function_loop_close(&context, W_sum, range, body, nowhere);
-	Node node = {.kind = NODE_VALUE, .value = expression_binary(&context, OP_ADD, choice, total, nowhere)};
+	Node node = {.kind = NODE_VALUE,
+		     .value = expression_binary(&context, OP_ADD, choice, total, nowhere)};
 	Value function = function_define(&context, &node, nowhere);
 	CHECK(function.kind == VALUE_FUNCTION && context.functions == NULL);
 	Value at[2] = {number(-0.5), number(2)};
-	CHECK_NEAR(expression_apply(&context, function, &at[0], 1, nowhere).number, sin(-0.5) - 15, 1e-12);
+	CHECK_NEAR(expression_apply(&context, function, &at[0], 1, nowhere).number, sin(-0.5) - 15,
+		   1e-12);
 	CHECK_NEAR(expression_apply(&context, function, &at[1], 1, nowhere).number, 62, 1e-12);
 	int before = diag_errors(context.diag);
 	expression_apply(&context, function, at, 2, nowhere);

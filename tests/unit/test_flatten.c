@@ -35,7 +35,10 @@ static Object *new_csg(ObjectKind kind, const Object *a, const Object *b)
 	return object;
 }
 
-static void move(Object *object, Transform transform) { object_transform(arena, object, &transform); }
+static void move(Object *object, Transform transform)
+{
+	object_transform(arena, object, &transform);
+}
 
 static FlatScene flatten(const Object *object) { return scene_flatten(arena, &object, 1); }
 
@@ -66,7 +69,8 @@ static void test_difference(void)
 	FlatScene flat = flatten(cut);
 	CHECK(flat.shape_count == 1);
 	CHECK(flat.shapes[0]->class == &csg_intersection_class);
-	/* The second sphere reaches to x = 0: its inside wall is the surface seen from the right. */
+	/* The second sphere reaches to x = 0: its inside wall is the surface seen from the right.
+	 */
 	CHECK_NEAR(first_hit(flat.shapes[0], vec3(5, 0, 0), vec3(-1, 0, 0)), 5, 1e-9);
 	CHECK(shape_inside(flat.shapes[0], vec3(-0.5, 0, 0)));
 	CHECK(!shape_inside(flat.shapes[0], vec3(0.5, 0, 0)));
@@ -112,7 +116,8 @@ static void test_inheritance(void)
 	CHECK(first->no_shadow && !second->no_shadow);
 	CHECK(first->hollow && second->hollow);
 	CHECK(first->interior == &glass && second->interior == &glass);
-	/* The first texture was scaled and moved with its sphere; the union's came after the move. */
+	/* The first texture was scaled and moved with its sphere; the union's came after the move.
+	 */
 	CHECK(first->attach && !second->attach);
 	if (first->attach)
 		CHECK_NEAR(transform_point(first->attach, vec3(1, 0, 0)).x, 3, 1e-12);
@@ -130,7 +135,8 @@ static void test_clip_moves_along(void)
 	ball->clip_count = 1;
 	move(ball, transform_translate(vec3(10, 0, 0)));
 	FlatScene flat = flatten(ball);
-	CHECK_NEAR(first_hit(flat.shapes[0], vec3(9.5, 0, -5), vec3(0, 0, 1)), 5 - sqrt(0.75), 1e-9);
+	CHECK_NEAR(first_hit(flat.shapes[0], vec3(9.5, 0, -5), vec3(0, 0, 1)), 5 - sqrt(0.75),
+		   1e-9);
 	CHECK(first_hit(flat.shapes[0], vec3(10.5, 0, -5), vec3(0, 0, 1)) < 0);
 }
 
@@ -138,7 +144,8 @@ static void test_bound_only_where_unbounded(void)
 {
 	const char *error;
 	const Object *bounds[1];
-	Object *box = new_object(OBJECT_PRIMITIVE), *plane = new_object(OBJECT_PRIMITIVE), *ball = new_sphere(0);
+	Object *box = new_object(OBJECT_PRIMITIVE), *plane = new_object(OBJECT_PRIMITIVE),
+	       *ball = new_sphere(0);
 	box->class = &box_class;
 	box->data = box_create(arena, vec3(-3, -3, -3), vec3(3, 3, 3));
 	bounds[0] = box;

@@ -33,9 +33,12 @@ static PhotonMap *make_map(uint32_t count, uint64_t first, MapTo *to)
 	map->count = count;
 	for (uint32_t i = 0; i < count; i++) {
 		Photon *p = &map->photons[i];
-		double u = random_halton(first + i + 1, 0), v = random_halton(first + i + 1, 1), x, y;
+		double u = random_halton(first + i + 1, 0), v = random_halton(first + i + 1, 1), x,
+		       y;
 		to(u, v, &x, &y);
-		*p = (Photon){.position = {(float)x, 0, (float)y}, .emitter = {(float)u, (float)v}, .edges = 2};
+		*p = (Photon){.position = {(float)x, 0, (float)y},
+			      .emitter = {(float)u, (float)v},
+			      .edges = 2};
 		photon_set_flux(p, rgb_scale(rgb(1, 1, 1), 1 / (float)count));
 		photon_set_direction(p, vec3(0, 1, 0));
 		photon_set_normal(p, vec3(0, 1, 0));
@@ -65,7 +68,8 @@ static DensityEstimator *make(const PhotonMap *map, double radius)
 
 static double density(const DensityEstimator *estimator, double x, double z, double pixel)
 {
-	GatherPoint point = {.position = vec3(x, 0, z), .normal = vec3(0, 1, 0), .footprint = pixel};
+	GatherPoint point = {
+		.position = vec3(x, 0, z), .normal = vec3(0, 1, 0), .footprint = pixel};
 	GatherResult result;
 	estimator_gather(estimator, &point, white, NULL, &result);
 	return result.radiance.g;
@@ -104,7 +108,8 @@ static void test_energy(void)
 	double sum = 0, low = -0.5, width = 2;
 	for (int j = 0; j < SIDE; j++)
 		for (int i = 0; i < SIDE; i++)
-			sum += density(estimator, low + (i + 0.5) / SIDE * width, low + (j + 0.5) / SIDE * width, width / SIDE);
+			sum += density(estimator, low + (i + 0.5) / SIDE * width,
+				       low + (j + 0.5) / SIDE * width, width / SIDE);
 	CHECK_NEAR(sum * width / SIDE * width / SIDE, 1, 0.005);
 	estimator_destroy(estimator);
 	photon_map_destroy(map);
@@ -158,7 +163,8 @@ static void test_fit(void)
 	FitSample samples[16];
 	FootprintFit fit;
 	for (int i = 0; i < 16; i++) {
-		double u = 2 * random_halton((uint64_t)i + 1, 0) - 1, v = 2 * random_halton((uint64_t)i + 1, 1) - 1;
+		double u = 2 * random_halton((uint64_t)i + 1, 0) - 1,
+		       v = 2 * random_halton((uint64_t)i + 1, 1) - 1;
 		samples[i] = (FitSample){{u, v}, {3 * u + v + u * u, u - v + 0.5 * u * v}};
 	}
 	CHECK(footprint_fit(samples, 16, &fit));

@@ -15,7 +15,8 @@ static void test_arithmetic(void)
 	FunctionProgram *p = program_begin(arena, 3);
 	FunctionValue x = program_argument(0), y = program_argument(1), z = program_argument(2);
 	FunctionValue sum = operate(p, CODE_ADD, operate(p, CODE_MUL, x, y), z);
-	const Function *f = program_finish(p, arena, operate(p, CODE_POW, sum, program_constant(2)));
+	const Function *f = program_finish(p, arena,
+					   operate(p, CODE_POW, sum, program_constant(2)));
 	CHECK_NEAR(function_eval(f, (const double[]){2, 3, 4}), 100, 1e-12);
 	CHECK(f->straight && function_arity(f) == 3);
 }
@@ -42,7 +43,8 @@ static void test_branch(void)
 	FunctionValue x = program_argument(0);
 	FunctionBranch branch = program_if(p, CODE_JUMP_NOT_NEGATIVE, x);
 	program_else(p, &branch, operate(p, CODE_SIN, x, x));
-	FunctionValue other = program_pick(p, CODE_PICK_ZERO, x, program_constant(5), operate(p, CODE_SQRT, x, x));
+	FunctionValue other = program_pick(p, CODE_PICK_ZERO, x, program_constant(5),
+					   operate(p, CODE_SQRT, x, x));
 	const Function *f = program_finish(p, arena, program_end_if(p, &branch, other));
 	CHECK_NEAR(function_eval(f, (const double[]){-1}), sin(-1), 1e-15);
 	CHECK_NEAR(function_eval(f, (const double[]){0}), 5, 0);
@@ -70,7 +72,8 @@ static void test_calls(void)
 {
 	FunctionProgram *p = program_begin(arena, 2);
 	FunctionValue args[2] = {program_argument(0), program_argument(1)};
-	const Function *difference = program_finish(p, arena, operate(p, CODE_SUB, args[0], args[1]));
+	const Function *difference = program_finish(p, arena,
+						    operate(p, CODE_SUB, args[0], args[1]));
 	p = program_begin(arena, 2);
 	FunctionValue swapped[2] = {program_argument(1), program_argument(0)};
 	FunctionValue value = program_call(p, difference, swapped);
@@ -94,7 +97,8 @@ static void test_vector(void)
 	FunctionValue args[2] = {program_argument(0), program_argument(1)};
 	FunctionValue row = program_vector_call(p, &swap, args);
 	CHECK(program_vector_call(p, &swap, args).reg == row.reg);
-	FunctionValue value = operate(p, CODE_SUB, program_component(row, 0), program_component(row, 1));
+	FunctionValue value = operate(p, CODE_SUB, program_component(row, 0),
+				      program_component(row, 1));
 	const Function *f = program_finish(p, arena, value);
 	CHECK_NEAR(function_eval(f, (const double[]){2, 7}), 5, 0);
 }

@@ -173,7 +173,8 @@ int main(void)
 		double value = function_eval(function, rows[i].args);
 		if (!(fabs(value - rows[i].expected) <= 1e-6 * fmax(1, fabs(rows[i].expected)))) {
 			check_failures++;
-			printf("internal(%d): %.9g, expected %.9g\n", rows[i].number, value, rows[i].expected);
+			printf("internal(%d): %.9g, expected %.9g\n", rows[i].number, value,
+			       rows[i].expected);
 		}
 	}
 	CHECK(function_internal_find(arena, 79, 2) == NULL);

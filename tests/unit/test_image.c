@@ -1,4 +1,5 @@
-/* Every format there and back, layers, broken files, transfer functions, and the measures of difference. */
+/* Every format there and back, layers, broken files, transfer functions, and the measures of
+ * difference. */
 #include "image/compare.h"
 
 #include <stdlib.h>
@@ -71,7 +72,8 @@ static void check_trip(const Trip *trip, const Image *picture, Diag *diag)
 	double worst = 0;
 	for (int i = 0; i < back->width * back->height; i++)
 		for (int c = 0; c < back->channels; c++)
-			worst = fmax(worst, fabs(back->pixels[i * back->channels + c] - picture->pixels[4 * i + c]));
+			worst = fmax(worst, fabs(back->pixels[i * back->channels + c] -
+						 picture->pixels[4 * i + c]));
 	if (!(worst <= trip->tolerance))
 		printf("%s: off by %g\n", trip->name, worst);
 	CHECK(worst <= trip->tolerance);
@@ -109,7 +111,9 @@ static void check_exr_layers(Diag *diag)
 		color[i] = (float)i;
 	for (int i = 0; i < 15; i++)
 		depth[i] = 1e6f + (float)i;
-	ExrChannel channels[] = {{"caustic.R", color, 4, true}, {"caustic.G", color + 1, 4, true}, {"Z", depth, 1, false}};
+	ExrChannel channels[] = {{"caustic.R", color, 4, true},
+				 {"caustic.G", color + 1, 4, true},
+				 {"Z", depth, 1, false}};
 	ExrAttribute attributes[] = {{"scene", "glass.pov"}, {"seed", "42"}};
 	ExrImage image = {3, 5, 3, channels, 2, attributes};
 	CHECK(exr_write(file_name("layers.exr"), &image, diag));
@@ -123,7 +127,8 @@ static void check_exr_layers(Diag *diag)
 	CHECK(!exr_find(back, "caustic.B"));
 	int found = 0;
 	for (int i = 0; i < back->attribute_count; i++)
-		found += strcmp(back->attributes[i].name, "seed") == 0 && strcmp(back->attributes[i].text, "42") == 0;
+		found += strcmp(back->attributes[i].name, "seed") == 0 &&
+			 strcmp(back->attributes[i].text, "42") == 0;
 	CHECK(found == 1);
 	exr_destroy(back);
 }
@@ -140,9 +145,11 @@ static void check_small_files(Diag *diag)
 	static const char text[] = "P3 # a comment\n2 1\n255\n255 0 0  0 51 255\n";
 	write_text("t.ppm", text, sizeof text - 1);
 	Image *image = image_read(file_name("t.ppm"), diag);
-	CHECK(image && image->channels == 3 && image->pixels[0] == 1 && fabsf(image->pixels[4] - 0.2f) < 1e-6f);
+	CHECK(image && image->channels == 3 && image->pixels[0] == 1 &&
+	      fabsf(image->pixels[4] - 0.2f) < 1e-6f);
 	image_destroy(image);
-	static const char gif[] = "GIF89a\2\0\1\0\x80\0\0\xff\0\0\0\0\xff,\0\0\0\0\2\0\1\0\0\2\2\x44\x0a\0;";
+	static const char gif[] =
+		"GIF89a\2\0\1\0\x80\0\0\xff\0\0\0\0\xff,\0\0\0\0\2\0\1\0\0\2\2\x44\x0a\0;";
 	write_text("t.gif", gif, sizeof gif - 1);
 	image = image_read(file_name("t.gif"), diag);
 	CHECK(image && image->width == 2 && image->palette_count == 2 && image->indices[0] == 0);
@@ -182,8 +189,10 @@ static void check_compare(Diag *diag)
 	CHECK_NEAR(d.psnr, 20, 1e-4);
 	CHECK_NEAR(d.mrse, 0.01 / 0.26, 1e-6);
 	CHECK_NEAR(d.smape, 0.2 / 1.1, 1e-6);
-	CHECK_NEAR(d.ssim, (2 * 0.3 + 1e-4) / (0.61 + 1e-4), 1e-3); /* flat images: the luminance term alone */
-	Image *half = image_halve(a), *part = image_crop(a, 3, 4, 5, 6), *map = image_difference_map(a, b, 0.1);
+	CHECK_NEAR(d.ssim, (2 * 0.3 + 1e-4) / (0.61 + 1e-4),
+		   1e-3); /* flat images: the luminance term alone */
+	Image *half = image_halve(a), *part = image_crop(a, 3, 4, 5, 6),
+	      *map = image_difference_map(a, b, 0.1);
 	CHECK(half->width == 16 && half->height == 12 && fabsf(half->pixels[0] - 0.6f) < 1e-6f);
 	CHECK(part->width == 5 && part->height == 6);
 	CHECK_NEAR(map->pixels[2], 1, 1e-5);

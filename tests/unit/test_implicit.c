@@ -43,7 +43,9 @@ static void test_quadric(Arena *arena)
 	check_shape(&shape, &(ShapeTraits){.name = "quadric", .size = 3, .step = 1e-6}, 2000);
 	Transform grow = transform_scale(vec3(1, 2, 3)), shift = transform_translate(vec3(1, 0, 0));
 	Transform all = transform_compose(&grow, &shift);
-	Shape ellipsoid = {.class = &sphere_class, .data = sphere_create(arena, vec3_all(0), 1), .transform = &all};
+	Shape ellipsoid = {.class = &sphere_class,
+			   .data = sphere_create(arena, vec3_all(0), 1),
+			   .transform = &all};
 	shape_finish(&ellipsoid);
 	check_same(&shape, &ellipsoid, 3, 1e-9);
 	/* xy = 1: a hyperbolic cylinder, through the mixed terms. */
@@ -61,13 +63,15 @@ static void set_term(double *c, int order, const int powers[3], double value)
 static void test_poly(Arena *arena)
 {
 	CHECK(poly_term_count(2) == 10 && poly_term_count(4) == 35 && poly_term_count(7) == 120);
-	CHECK(poly_term_index(4, 4, 0, 0) == 0 && poly_term_index(4, 2, 0, 0) == 9 && poly_term_index(4, 0, 0, 0) == 34);
+	CHECK(poly_term_index(4, 4, 0, 0) == 0 && poly_term_index(4, 2, 0, 0) == 9 &&
+	      poly_term_index(4, 0, 0, 0) == 34);
 	CHECK(poly_term_index(4, 0, 2, 2) == 23 && poly_term_index(4, 3, 2, 0) == -1);
 	/* The manual's torus about the y axis: radii sqrt(40), sqrt(12). */
 	double c[35] = {0};
-	const struct { int powers[3]; double value; } terms[] = {
-		{{4, 0, 0}, 1}, {{2, 2, 0}, 2}, {{2, 0, 2}, 2}, {{2, 0, 0}, -104}, {{0, 4, 0}, 1},
-		{{0, 2, 2}, 2}, {{0, 2, 0}, 56}, {{0, 0, 4}, 1}, {{0, 0, 2}, -104}, {{0, 0, 0}, 784}};
+	const struct { int powers[3]; double value;
+	} terms[] = {{{4, 0, 0}, 1},    {{2, 2, 0}, 2},  {{2, 0, 2}, 2},  {{2, 0, 0}, -104},
+		     {{0, 4, 0}, 1},    {{0, 2, 2}, 2},  {{0, 2, 0}, 56}, {{0, 0, 4}, 1},
+		     {{0, 0, 2}, -104}, {{0, 0, 0}, 784}};
 	for (int i = 0; i < 10; i++)
 		set_term(c, 4, terms[i].powers, terms[i].value);
 	Shape quartic = test_shape(&poly_class, poly_create(arena, 4, c, &message));
@@ -86,7 +90,8 @@ static void test_high_order(Arena *arena)
 	set_term(c, 12, (int[]){0, 0, 12}, 1);
 	set_term(c, 12, (int[]){0, 0, 0}, -1);
 	Shape poly = test_shape(&poly_class, poly_create(arena, 12, c, &message));
-	Shape super = test_shape(&superellipsoid_class, superellipsoid_create(arena, 1 / 6.0, 1 / 6.0));
+	Shape super = test_shape(&superellipsoid_class,
+				 superellipsoid_create(arena, 1 / 6.0, 1 / 6.0));
 	check_same(&poly, &super, 1, 1e-6);
 }
 
@@ -95,11 +100,15 @@ static void test_superellipsoid(Arena *arena)
 	Shape ball = test_shape(&superellipsoid_class, superellipsoid_create(arena, 1, 1));
 	Shape sphere = test_shape(&sphere_class, sphere_create(arena, vec3_all(0), 1));
 	check_same(&ball, &sphere, 1, 1e-9);
-	const double exponents[][2] = {{0.25, 0.25}, {1, 0.1}, {0.01, 0.01}, {2, 2}, {2, 0.5}, {0.5, 3}, {3, 3}, {5, 0.3}};
+	const double exponents[][2] = {{0.25, 0.25}, {1, 0.1}, {0.01, 0.01}, {2, 2},
+				       {2, 0.5},     {0.5, 3}, {3, 3},       {5, 0.3}};
 	for (int i = 0; i < 8; i++) {
-		Shape shape = test_shape(&superellipsoid_class,
-		                         superellipsoid_create(arena, exponents[i][0], exponents[i][1]));
-		check_shape(&shape, &(ShapeTraits){.name = "superellipsoid", .size = 1, .step = 1e-6}, 2000);
+		Shape shape = test_shape(
+			&superellipsoid_class,
+			superellipsoid_create(arena, exponents[i][0], exponents[i][1]));
+		check_shape(&shape,
+			    &(ShapeTraits){.name = "superellipsoid", .size = 1, .step = 1e-6},
+			    2000);
 	}
 	/* An exponent of 0 stands for sharp edges. */
 	Shape sharp = test_shape(&superellipsoid_class, superellipsoid_create(arena, 0, 0));
@@ -110,7 +119,8 @@ static void test_blob(Arena *arena)
 {
 	/* One component: a sphere where 2 (1 - r^2)^2 = 1. */
 	BlobComponent one = {.center = {0, 0, 0}, .radius = 1, .strength = 2, .texture = -1};
-	Shape single = test_shape(&blob_class, blob_create(arena, &(BlobDesc){&one, 1, 1}, &message));
+	Shape single = test_shape(&blob_class,
+				  blob_create(arena, &(BlobDesc){&one, 1, 1}, &message));
 	double radius = sqrt(1 - sqrt(0.5));
 	Shape sphere = test_shape(&sphere_class, sphere_create(arena, vec3_all(0), radius));
 	check_same(&single, &sphere, 1, 1e-9);
@@ -118,11 +128,21 @@ static void test_blob(Arena *arena)
 	BlobComponent several[] = {
 		{.center = {0.75, 0, 0}, .radius = 1, .strength = 1, .texture = 4},
 		{.center = {-0.375, 0.65, 0}, .radius = 1, .strength = 1, .texture = -1},
-		{.center = {-0.375, -0.65, 0}, .radius = 1, .strength = 1, .texture = 5, .transform = &squash},
-		{.cylinder = true, .center = {0, 0, -1}, .end = {0, 0.5, 1}, .radius = 0.7, .strength = 1.5, .texture = 4},
+		{.center = {-0.375, -0.65, 0},
+		 .radius = 1,
+		 .strength = 1,
+		 .texture = 5,
+		 .transform = &squash},
+		{.cylinder = true,
+		 .center = {0, 0, -1},
+		 .end = {0, 0.5, 1},
+		 .radius = 0.7,
+		 .strength = 1.5,
+		 .texture = 4},
 		{.center = {0, 0, 1}, .radius = 0.6, .strength = -2, .texture = -1},
 	};
-	Shape blob = test_shape(&blob_class, blob_create(arena, &(BlobDesc){several, 5, 0.6}, &message));
+	Shape blob = test_shape(&blob_class,
+				blob_create(arena, &(BlobDesc){several, 5, 0.6}, &message));
 	check_shape(&blob, &(ShapeTraits){.name = "blob", .size = 1.2, .step = 1e-6}, 3000);
 	Ray ray = {{-5, 0.1, 0}, {1, 0, 0}, 0, INFINITY};
 	Hit hit;
@@ -141,8 +161,12 @@ static void test_long_blob(Arena *arena)
 	enum { COUNT = 200 };
 	BlobComponent *row = ARENA_ARRAY(arena, BlobComponent, COUNT);
 	for (int i = 0; i < COUNT; i++)
-		row[i] = (BlobComponent){.center = {i * 0.5 - 50, sin(i), 0}, .radius = 1, .strength = 1, .texture = -1};
-	Shape blob = test_shape(&blob_class, blob_create(arena, &(BlobDesc){row, COUNT, 0.5}, &message));
+		row[i] = (BlobComponent){.center = {i * 0.5 - 50, sin(i), 0},
+					 .radius = 1,
+					 .strength = 1,
+					 .texture = -1};
+	Shape blob = test_shape(&blob_class,
+				blob_create(arena, &(BlobDesc){row, COUNT, 0.5}, &message));
 	check_shape(&blob, &(ShapeTraits){.name = "long blob", .size = 5, .step = 1e-6}, 2000);
 	/* Along the whole row, from afar. */
 	Ray ray = {{-1000, 0, 0.1}, {1, 0, 0}, 0, INFINITY};
@@ -172,7 +196,8 @@ static void test_isosurface(Arena *arena)
 	/* Cut by its container: the container's faces close it, unless it is open. */
 	desc.function = &large;
 	iso = test_shape(&isosurface_class, isosurface_create(arena, &desc));
-	check_shape(&iso, &(ShapeTraits){.name = "cut isosurface", .size = 1.2, .step = 1e-5}, 1000);
+	check_shape(&iso, &(ShapeTraits){.name = "cut isosurface", .size = 1.2, .step = 1e-5},
+		    1000);
 	Ray ray = {{0, 0, -5}, {0, 0, 2}, 0, INFINITY};
 	Hit hit;
 	CHECK(shape_nearest(&iso, &ray, &hit));

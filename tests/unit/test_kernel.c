@@ -11,7 +11,8 @@ int main(void)
 	for (int k = 0; k < 5; k++) {
 		double sum = 0, last = INFINITY;
 		for (int i = 0; i < STEPS; i++) {
-			double t2 = (i + 0.5) / STEPS, value = kernel_value(kernels[k], t2); /* area: pi d(t2) */
+			double t2 = (i + 0.5) / STEPS,
+			       value = kernel_value(kernels[k], t2); /* area: pi d(t2) */
 			CHECK(value > 0 && value <= last);
 			last = value;
 			sum += M_PI * value / STEPS;

@@ -39,7 +39,8 @@ static void check_point_light(void)
 	CHECK_NEAR(arrival(&light, vec3(0, 0, 0)), 2 / (1 + 25.0), 1e-6);
 }
 
-/* A fading light of power 2 far away goes as 2 (d0/r)^2: its flux through any far sphere is 8 pi d0^2. */
+/* A fading light of power 2 far away goes as 2 (d0/r)^2: its flux through any far sphere is 8 pi
+ * d0^2. */
 static void check_flux(void)
 {
 	Light light = light_at(vec3(0, 0, 0));

@@ -3,15 +3,22 @@
 
 #include "tests/unit/check.h"
 
-/* A square of two faces at z = 0 in 0 <= x, y <= 1, turned so that they look along z; texture coordinates are x and y. */
+/* A square of two faces at z = 0 in 0 <= x, y <= 1, turned so that they look along z; texture
+ * coordinates are x and y. */
 static Mesh *square(Arena *arena)
 {
-	static const float vertices[4][3] = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}}, normals[4][3] = {
-		{-1, 0, 1}, {1, 0, 1}, {1, 0, 1}, {-1, 0, 1}};
+	static const float vertices[4][3] = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}},
+			   normals[4][3] = {{-1, 0, 1}, {1, 0, 1}, {1, 0, 1}, {-1, 0, 1}};
 	static const float uvs[4][2] = {{0, 0}, {1, 0}, {1, 1}, {0, 1}};
 	static const int faces[2][3] = {{0, 2, 1}, {0, 3, 2}};
-	MeshDesc desc = {.vertices = vertices, .vertex_count = 4, .triangles = faces, .triangle_count = 2,
-	                 .normals = normals, .normal_count = 4, .uvs = uvs, .uv_count = 4};
+	MeshDesc desc = {.vertices = vertices,
+			 .vertex_count = 4,
+			 .triangles = faces,
+			 .triangle_count = 2,
+			 .normals = normals,
+			 .normal_count = 4,
+			 .uvs = uvs,
+			 .uv_count = 4};
 	const char *error;
 	return mesh_create(arena, &desc, &error);
 }
@@ -28,12 +35,18 @@ static void test_numbers(const Mesh *mesh)
 {
 	MeshCameraPart parts[2] = {{.mesh = mesh, .transform = transform_identity()},
 	                           {.mesh = mesh, .transform = transform_translate(vec3(0, 0, 5))}};
-	MeshCamera camera = {.rays = 1, .distribution = 0, .offset = 0.5, .parts = parts, .part_count = 2, .max_distance = 7};
+	MeshCamera camera = {.rays = 1,
+			     .distribution = 0,
+			     .offset = 0.5,
+			     .parts = parts,
+			     .part_count = 2,
+			     .max_distance = 7};
 	Ray ray;
 	check_ray(&camera, 0, (Vec2){0.5, 0.5}, vec3(2 / 3.0, 1 / 3.0, 0.5), vec3(0, 0, 1));
 	check_ray(&camera, 1, (Vec2){1.5, 0.5}, vec3(1 / 3.0, 2 / 3.0, 5.5), vec3(0, 0, 1));
 	CHECK(!mesh_camera_ray(&camera, 0, (Vec2){0.5, 1.5}, (const int[]){2, 2}, &ray));
-	CHECK(mesh_camera_ray(&camera, 0, (Vec2){0.5, 0.5}, (const int[]){2, 2}, &ray) && ray.tmax == 7);
+	CHECK(mesh_camera_ray(&camera, 0, (Vec2){0.5, 0.5}, (const int[]){2, 2}, &ray) &&
+	      ray.tmax == 7);
 	camera.distribution = 1;
 	check_ray(&camera, 0, (Vec2){0.5, 1.5}, vec3(2 / 3.0, 1 / 3.0, 5.5), vec3(0, 0, 1));
 	CHECK(!mesh_camera_ray(&camera, 1, (Vec2){0.5, 0.5}, (const int[]){2, 2}, &ray));

@@ -26,8 +26,8 @@ static SurfacePoint origin(void)
 	return (SurfacePoint){.normal = {0, 0, -1}, .direction = {0, 0, 1}};
 }
 
-/* Four corners of the unit tetrahedron, height h = g.p: the sum of h c over them is 4/3 g, and the factors of height and step
- * give n - 4/30 amount g. */
+/* Four corners of the unit tetrahedron, height h = g.p: the sum of h c over them is 4/3 g, and the
+ * factors of height and step give n - 4/30 amount g. */
 static void test_closed_form(void)
 {
 	const Vec3 gradient = {0.3, -0.2, 0.1};
@@ -67,7 +67,8 @@ static void test_scale(void)
 	warp_add_transform(arena, &scaled.pattern.warps, &scale);
 	SurfacePoint at = origin();
 	Vec3 n = vec3(0, 0.6, 0.8);
-	CHECK_NEAR(vec3_distance(normal_perturb(&scaled, &at, n), normal_perturb(&still, &at, n)), 0, 1e-9);
+	CHECK_NEAR(vec3_distance(normal_perturb(&scaled, &at, n), normal_perturb(&still, &at, n)),
+		   0, 1e-9);
 	arena_destroy(arena);
 }
 
@@ -78,7 +79,8 @@ static void test_average(void)
 	const NormalEntry entries[] = {{1, &a}, {1, &b}};
 	Normal average = {.kind = NORMAL_AVERAGE, .normals = entries, .normal_count = 2};
 	SurfacePoint at = origin();
-	CHECK_NEAR(vec3_distance(normal_perturb(&average, &at, vec3(0, 0, -1)), vec3(0, 0, -1)), 0, 1e-7);
+	CHECK_NEAR(vec3_distance(normal_perturb(&average, &at, vec3(0, 0, -1)), vec3(0, 0, -1)), 0,
+		   1e-7);
 }
 
 static void test_slope_map(void)
@@ -90,7 +92,8 @@ static void test_slope_map(void)
 	normal.slopes = slopes;
 	normal.slope_count = 2;
 	SurfacePoint at = origin();
-	CHECK_NEAR(vec3_distance(normal_perturb(&normal, &at, vec3(0, 0, -1)), vec3(0, 0, -1)), 0, 1e-12);
+	CHECK_NEAR(vec3_distance(normal_perturb(&normal, &at, vec3(0, 0, -1)), vec3(0, 0, -1)), 0,
+		   1e-12);
 	/* Slope 2 all over: twice as steep as the pattern itself. */
 	const SlopeEntry steep[] = {{0, 0, 2}, {1, 2, 2}};
 	const Vec3 twice = {2, 0, 0};

@@ -38,23 +38,50 @@ static const GradientData along_y = {{0, 1, 0}};
 
 /* In the order of the measured rows. */
 static const Case cases[] = {
-	{.generator = 1}, {.generator = 2}, {.generator = 3}, {TURBULENCE(0.5, 0.5, 0.5)}, /* bozo */
-	{0}, {0}, {0}, {.generator = 1}, {0}, /* dents, wrinkles, granite, agate */
+	{.generator = 1},
+	{.generator = 2},
+	{.generator = 3},
+	{TURBULENCE(0.5, 0.5, 0.5)}, /* bozo */
+	{0},
+	{0},
+	{0},
+	{.generator = 1},
+	{0}, /* dents, wrinkles, granite, agate */
 	{TURBULENCE(0.3, 0.3, 0.3), DATA(AgateData, 0.4)},
-	{TURBULENCE(0.7, 0.7, 0.7)}, {TURBULENCE(0.1, 0.05, 0.2)}, /* marble, wood */
-	{0}, {0}, {0}, {DATA(GradientData, {1, 2, 3})}, /* onion, leopard, radial, gradient */
-	{.scale = 20}, {.scale = 20}, {.scale = 20}, {.scale = 20}, /* planar to boxed */
-	{0}, {DATA(SpiralData, 3)}, {DATA(SpiralData, 5)}, {0}, {0}, /* quilted, spirals, ripples, waves */
-	{0}, {DATA(BrickData, {1, 1, 1}, 0.2)}, {0}, {0}, {0}, /* checker, brick, hexagon, cubic, cells */
-	{0}, {DATA(CrackleData, {-1, 1, 0}, 1, 0, false)}, {DATA(CrackleData, {1, 0, 0}, 3, 0.3, false)},
+	{TURBULENCE(0.7, 0.7, 0.7)},
+	{TURBULENCE(0.1, 0.05, 0.2)}, /* marble, wood */
+	{0},
+	{0},
+	{0},
+	{DATA(GradientData, {1, 2, 3})}, /* onion, leopard, radial, gradient */
+	{.scale = 20},
+	{.scale = 20},
+	{.scale = 20},
+	{.scale = 20}, /* planar to boxed */
+	{0},
+	{DATA(SpiralData, 3)},
+	{DATA(SpiralData, 5)},
+	{0},
+	{0}, /* quilted, spirals, ripples, waves */
+	{0},
+	{DATA(BrickData, {1, 1, 1}, 0.2)},
+	{0},
+	{0},
+	{0}, /* checker, brick, hexagon, cubic, cells */
+	{0},
+	{DATA(CrackleData, {-1, 1, 0}, 1, 0, false)},
+	{DATA(CrackleData, {1, 0, 0}, 3, 0.3, false)},
 	{DATA(CrackleData, {-1, 1, 0}, 2, 0, true)},
 	{FRACTAL(.iterations = 20), .scale = 5},
 	{FRACTAL_POWER(.iterations = 20, .exponent = 4, .interior = 1), .scale = 5},
 	{FRACTAL(.iterations = 30, .real = 0.353, .imaginary = 0.288), .scale = 5},
-	{FRACTAL(.iterations = 30)}, {FRACTAL(.iterations = 30)},
-	{.data = &along_y, WAVE(WAVE_SINE)}, {.data = &along_y, WAVE(WAVE_SCALLOP)},
+	{FRACTAL(.iterations = 30)},
+	{FRACTAL(.iterations = 30)},
+	{.data = &along_y, WAVE(WAVE_SINE)},
+	{.data = &along_y, WAVE(WAVE_SCALLOP)},
 	{.data = &along_y, WAVE(WAVE_CUBIC)},
-	{.data = &along_y, WAVE(WAVE_POLY), .exponent = 2}, {.data = &along_y, WAVE(WAVE_TRIANGLE)},
+	{.data = &along_y, WAVE(WAVE_POLY), .exponent = 2},
+	{.data = &along_y, WAVE(WAVE_TRIANGLE)},
 	{.data = &along_y, .frequency = 3, .phase = 0.7},
 	{WARP(WARP_REPEAT, .u.repeat = {0, 2, {1, 1, 0}, {0.1, 0.2, 0.3}})},
 	{WARP(WARP_PLANAR, MAPPING({1, 0.3, 0.2}, 0.4))},
@@ -64,7 +91,8 @@ static const Case cases[] = {
 	{WARP(WARP_CUBIC)},
 	{WARP(WARP_BLACK_HOLE, .u.black_hole = {.radius = 2, .strength = 1, .falloff = 3})},
 	{TURBULENCE(0.4, 0.4, 0.4), .scale = 2,
-	 .outer = &(const Warp){.kind = WARP_TURBULENCE, .u.turbulence = {{0.1, 0.2, 0.3}, 6, 3, 0.5}}},
+	 .outer = &(const Warp){.kind = WARP_TURBULENCE,
+				.u.turbulence = {{0.1, 0.2, 0.3}, 6, 3, 0.5}}},
 };
 
 enum { CASE_COUNT = sizeof cases / sizeof *cases, ROW_COUNT = sizeof measured / sizeof *measured };
@@ -107,8 +135,8 @@ static void test_patterns(Arena *arena)
 			double value = pattern_value(&pattern, &at);
 			if (!(fabs(value - measured[i].values[k]) < 1e-12)) {
 				check_failures++;
-				printf("%s at point %d: %.15f, measured %.15f\n", measured[i].words, k, value,
-				       measured[i].values[k]);
+				printf("%s at point %d: %.15f, measured %.15f\n", measured[i].words,
+				       k, value, measured[i].values[k]);
 			}
 		}
 	}
@@ -129,14 +157,16 @@ static void test_vectors(void)
 
 static Vec3 random_point(int i)
 {
-	return vec3(random_uniform(1, (uint64_t)i, 0) * 20 - 10, random_uniform(1, (uint64_t)i, 1) * 20 - 10,
-	            random_uniform(1, (uint64_t)i, 2) * 20 - 10);
+	return vec3(random_uniform(1, (uint64_t)i, 0) * 20 - 10,
+		    random_uniform(1, (uint64_t)i, 1) * 20 - 10,
+		    random_uniform(1, (uint64_t)i, 2) * 20 - 10);
 }
 
 /* Every entry of a list pattern is found, and no other. */
 static void test_blocks(void)
 {
-	static const char *const names[] = {"square", "triangular", "cubic", "hexagon", "checker", "brick"};
+	static const char *const names[] = {"square",  "triangular", "cubic",
+					    "hexagon", "checker",    "brick"};
 	for (int n = 0; n < 6; n++) {
 		Pattern pattern;
 		pattern_init(&pattern, pattern_find(names[n]));
@@ -155,7 +185,8 @@ static void test_blocks(void)
 
 static void test_strange_points(void)
 {
-	const Vec3 strange[] = {{NAN, 0, 0}, {INFINITY, 1, 2}, {1e300, -1e300, 5}, {-1e9, 3e9, 1e12}};
+	const Vec3 strange[] = {
+		{NAN, 0, 0}, {INFINITY, 1, 2}, {1e300, -1e300, 5}, {-1e9, 3e9, 1e12}};
 	for (int i = 0; i < 4; i++)
 		for (int generator = 1; generator <= 3; generator++) {
 			double v = noise_value(strange[i], generator);

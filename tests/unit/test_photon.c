@@ -20,14 +20,19 @@ static void test_record(void)
 	Sampler s = {1, 0, 0};
 	for (int i = 0; i < 20000; i++) {
 		Photon p;
-		Vec3 d = i < 6 ? vec3(i % 3 == 0 ? 1 - 2 * (i / 3) : 0, i % 3 == 1 ? 1 - 2 * (i / 3) : 0, i % 3 == 2 ? 1 - 2 * (i / 3) : 0)
-		               : random_direction(&s);
+		Vec3 d = i < 6 ? vec3(i % 3 == 0 ? 1 - 2 * (i / 3) : 0,
+				      i % 3 == 1 ? 1 - 2 * (i / 3) : 0,
+				      i % 3 == 2 ? 1 - 2 * (i / 3) : 0)
+			       : random_direction(&s);
 		photon_set_direction(&p, d);
 		photon_set_normal(&p, d);
-		double fine = vec3_distance(photon_direction(&p), d), coarse = vec3_distance(photon_normal(&p), d);
+		double fine = vec3_distance(photon_direction(&p), d),
+		       coarse = vec3_distance(photon_normal(&p), d);
 		CHECK(i < 6 ? fine == 0 && coarse == 0 : fine < 1e-4 && coarse < 0.02);
 		float scale = (float)exp(60 * (sampler_next(&s) - 0.5));
-		Rgb flux = rgb(scale * (float)sampler_next(&s), scale * (float)sampler_next(&s), scale * (float)sampler_next(&s)), got;
+		Rgb flux = rgb(scale * (float)sampler_next(&s), scale * (float)sampler_next(&s),
+			       scale * (float)sampler_next(&s)),
+		    got;
 		photon_set_flux(&p, flux);
 		got = photon_flux(&p);
 		CHECK_NEAR(got.r, flux.r, 1.6e-5 * rgb_max(flux));
@@ -57,7 +62,10 @@ static void make_points(TestPoint *points, int kind)
 	for (int i = 0; i < POINTS; i++) {
 		for (int k = 0; k < 3; k++) {
 			double x = sampler_next(&s);
-			points[i].position[k] = (float)(kind == 1 && k == 1 ? 0 : kind == 2 ? floor(4 * x) : kind == 3 ? 0.5 : x * x * x);
+			points[i].position[k] = (float)(kind == 1 && k == 1 ? 0
+							: kind == 2         ? floor(4 * x)
+							: kind == 3         ? 0.5
+									    : x * x * x);
 			points[i].emitter[k] = (float)sampler_next(&s);
 		}
 		points[i].light = (uint16_t)(2 * sampler_next(&s));
@@ -84,8 +92,9 @@ static int brute_force(const TestPoint *points, int count, const NearestQuery *q
 	for (int i = 0; i < count; i++) {
 		float d2 = distance2(points[i].position, query->center);
 		const EmitterRange *range = query->range;
-		if (d2 < query->max_distance2 && (!range || (range->light == points[i].light &&
-		                                             distance2(points[i].emitter, range->center) <= range->radius2)))
+		if (d2 < query->max_distance2 &&
+		    (!range || (range->light == points[i].light &&
+				distance2(points[i].emitter, range->center) <= range->radius2)))
 			out[found++] = (Neighbor){d2, (uint32_t)i};
 	}
 	qsort(out, (size_t)found, sizeof *out, compare_neighbors);
@@ -103,7 +112,8 @@ static void add_found(void *data, const Neighbor *found, int count)
 }
 
 /* What a processor without vectors of eight would find. */
-static void check_plain(const PhotonTree *tree, const NearestQuery *query, const Neighbor *found, int count)
+static void check_plain(const PhotonTree *tree, const NearestQuery *query, const Neighbor *found,
+			int count)
 {
 	static Neighbor plain[MOST + 8 * TREE_SLACK];
 	int got = tree_nearest_plain(tree, query, plain);
@@ -118,18 +128,22 @@ static void check_plain(const PhotonTree *tree, const NearestQuery *query, const
 	CHECK(one.count == other.count);
 }
 
-static void check_query(const PhotonTree *tree, const TestPoint *points, int count, const NearestQuery *query)
+static void check_query(const PhotonTree *tree, const TestPoint *points, int count,
+			const NearestQuery *query)
 {
 	static Neighbor expected[POINTS], found[MOST + 8 * TREE_SLACK];
-	int want = brute_force(points, count, query, expected), got = photon_tree_nearest(tree, query, found);
+	int want = brute_force(points, count, query, expected),
+	    got = photon_tree_nearest(tree, query, found);
 	qsort(found, (size_t)got, sizeof *found, compare_neighbors);
 	CHECK(got == want);
 	for (int i = 0; i < got && i < want; i++)
-		CHECK(found[i].index == expected[i].index && fabsf(found[i].distance2 - expected[i].distance2) <= 1e-6f);
+		CHECK(found[i].index == expected[i].index &&
+		      fabsf(found[i].distance2 - expected[i].distance2) <= 1e-6f);
 	check_plain(tree, query, found, got);
 	if (query->range)
 		return;
-	NearestQuery all = {{query->center[0], query->center[1], query->center[2]}, 0.01f, POINTS, NULL};
+	NearestQuery all = {
+		{query->center[0], query->center[1], query->center[2]}, 0.01f, POINTS, NULL};
 	int near = brute_force(points, count, &all, expected);
 	Sum sum = {0, 0};
 	photon_tree_within(tree, query->center, 0.1f, add_found, &sum);
@@ -140,11 +154,14 @@ static void test_tree(int kind, int count, float weight)
 {
 	static TestPoint points[POINTS];
 	make_points(points, kind);
-	TreePoints given = {points->position, points->emitter, &points->light, (uint32_t)count, sizeof *points, weight};
+	TreePoints given = {points->position, points->emitter, &points->light,
+			    (uint32_t)count,  sizeof *points,  weight};
 	PhotonTree *tree = photon_tree_create(&given);
 	Sampler s = {9, (uint64_t)kind, 0};
 	for (int q = 0; q < QUERIES; q++) {
-		NearestQuery query = {.count = 1 + (int)(sampler_next(&s) * (q % 3 == 0 ? 8 : MOST)), .max_distance2 = INFINITY};
+		NearestQuery query = {.count = 1 +
+					       (int)(sampler_next(&s) * (q % 3 == 0 ? 8 : MOST)),
+				      .max_distance2 = INFINITY};
 		EmitterRange range = {.radius2 = 0.3f, .light = (uint16_t)(q & 1)};
 		for (int k = 0; k < 3; k++) {
 			query.center[k] = (float)sampler_next(&s);
@@ -204,7 +221,8 @@ static void check_round_trip(const PhotonMap *map, const char *path, Diag *diag)
 {
 	CHECK(photon_map_write(map, path, diag));
 	PhotonMap *back = photon_map_read(path, diag);
-	CHECK(back && back->count == map->count && back->light_count == 2 && back->lights[1].paths == 123456);
+	CHECK(back && back->count == map->count && back->light_count == 2 &&
+	      back->lights[1].paths == 123456);
 	for (uint32_t i = 0; back && i < map->count; i++)
 		CHECK(memcmp(&back->photons[i], &map->photons[i], sizeof(Photon)) == 0);
 	photon_map_destroy(back);
@@ -217,12 +235,14 @@ static void test_map(void)
 	close(mkstemp(path));
 	PhotonMap *map = make_map(20000);
 	photon_map_index(map, 0);
-	CHECK_NEAR(map->spacing, sqrt(1.0 / 20000), 0.15 * sqrt(1.0 / 20000)); /* a unit square of uniform photons */
+	CHECK_NEAR(map->spacing, sqrt(1.0 / 20000),
+		   0.15 * sqrt(1.0 / 20000)); /* a unit square of uniform photons */
 	check_round_trip(map, path, diag);
 	CHECK(diag_errors(diag) == 0);
 	CHECK(truncate(path, 5000) == 0 && !photon_map_read(path, diag) && diag_errors(diag) == 1);
 	CHECK(truncate(path, 20) == 0 && !photon_map_read(path, diag) && diag_errors(diag) == 2);
-	CHECK(!photon_map_read("/nowhere/map.ply", diag) && !photon_map_write(map, "/nowhere/map.ply", diag));
+	CHECK(!photon_map_read("/nowhere/map.ply", diag) &&
+	      !photon_map_write(map, "/nowhere/map.ply", diag));
 	photon_map_destroy(map);
 	map = make_map(0);
 	photon_map_index(map, 0);

@@ -96,7 +96,8 @@ static void test_random_roots(void)
 			double b = -2 * middle, a0 = middle * middle + rise;
 			c[degree + 1] = c[degree + 2] = 0;
 			for (int i = degree + 2; i >= 0; i--)
-				c[i] = a0 * c[i] + (i > 0 ? b * c[i - 1] : 0) + (i > 1 ? c[i - 2] : 0);
+				c[i] = a0 * c[i] + (i > 0 ? b * c[i - 1] : 0) +
+				       (i > 1 ? c[i - 2] : 0);
 		}
 		int count = polynomial_roots(c, degree, -2, 2, found);
 		CHECK(count == real);
@@ -107,7 +108,8 @@ static void test_random_roots(void)
 
 static void test_high_degree(void)
 {
-	double roots[POLYNOMIAL_MAX_DEGREE], c[POLYNOMIAL_MAX_DEGREE + 1], found[POLYNOMIAL_MAX_DEGREE];
+	double roots[POLYNOMIAL_MAX_DEGREE], c[POLYNOMIAL_MAX_DEGREE + 1],
+		found[POLYNOMIAL_MAX_DEGREE];
 	/* Chebyshev nodes are the best conditioned set on [-1, 1]. */
 	for (int i = 0; i < 20; i++)
 		roots[i] = -cos((i + 0.5) * M_PI / 20);

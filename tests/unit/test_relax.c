@@ -61,7 +61,8 @@ static void test_isotropic_noise(void)
 	double sum = 0, squares = 0, points[POINTS][2];
 	for (uint64_t set = 0; set < SETS; set++) {
 		for (uint64_t i = 0; i < POINTS; i++) {
-			double r = sqrt(random_uniform(2, set, 2 * i)), phi = 2 * M_PI * random_uniform(2, set, 2 * i + 1);
+			double r = sqrt(random_uniform(2, set, 2 * i)),
+			       phi = 2 * M_PI * random_uniform(2, set, 2 * i + 1);
 			points[i][0] = r * cos(phi);
 			points[i][1] = r * sin(phi);
 		}
@@ -76,7 +77,8 @@ static void test_isotropic_noise(void)
 
 static void test_freedom(void)
 {
-	const double half_disc = 0.25 - 16 / (9 * M_PI * M_PI), strange[] = {-1e300, -1, 0, 0.1, 0.25, 1, 1e300, INFINITY, NAN};
+	const double half_disc = 0.25 - 16 / (9 * M_PI * M_PI),
+		     strange[] = {-1e300, -1, 0, 0.1, 0.25, 1, 1e300, INFINITY, NAN};
 	for (int count = 0; count < 300; count++) {
 		for (int i = 0; i < 9; i++) {
 			double free = feature_freedom(strange[i], count);
@@ -136,7 +138,8 @@ static void test_edge(void)
 	Relaxation settings = constrained(), unconstrained = plain();
 	photon_relax(map, &settings, &EVERYWHERE, NULL);
 	photon_relax(free, &unconstrained, &EVERYWHERE, NULL);
-	Movement edge = movement(before, map, 0, 0.002f), inside = movement(before, map, 0.2f, 0.8f);
+	Movement edge = movement(before, map, 0, 0.002f),
+		 inside = movement(before, map, 0.2f, 0.8f);
 	CHECK(edge.count > 20 && edge.across < 0.35 * edge.along);
 	CHECK(edge.across < 0.6 * inside.across);
 	CHECK(edge.across < 0.15 * movement(before, free, 0, 0.002f).across);
@@ -162,7 +165,8 @@ static double unevenness(PhotonMap *map)
 			continue;
 		Neighbor near[2 + 8 * TREE_SLACK];
 		NearestQuery query = {{p[0], p[1], p[2]}, INFINITY, 2, NULL};
-		double d2 = photon_tree_farthest(near, photon_tree_nearest(map->tree, &query, near));
+		double d2 = photon_tree_farthest(near,
+						 photon_tree_nearest(map->tree, &query, near));
 		sum += sqrt(d2);
 		squares += d2;
 		count++;
@@ -178,7 +182,8 @@ static void test_noise(Relaxation settings)
 	double before = unevenness(map);
 	CHECK_NEAR(before, 4 / M_PI - 1, 0.02);
 	CHECK(photon_relax(map, &settings, &EVERYWHERE, &statistics));
-	CHECK(!map->tree && statistics.moved == 10000 && statistics.mean_movement > 0 && statistics.mean_movement < 0.02);
+	CHECK(!map->tree && statistics.moved == 10000 && statistics.mean_movement > 0 &&
+	      statistics.mean_movement < 0.02);
 	CHECK((map->constraint != NULL) == settings.constrained);
 	CHECK(unevenness(map) < 0.1 * before);
 	photon_map_destroy(map);
@@ -234,7 +239,8 @@ static void test_order(Relaxation settings)
 	double most = 0;
 	for (uint32_t i = 0; i < count; i++) {
 		for (int k = 0; k < 3; k++)
-			most = fmax(most, fabs((double)map->photons[i].position[k] - turned->photons[count - 1 - i].position[k]));
+			most = fmax(most, fabs((double)map->photons[i].position[k] -
+					       turned->photons[count - 1 - i].position[k]));
 	}
 	/* The sums of forces run in another order. */
 	CHECK(most < 1e-4);
@@ -283,8 +289,10 @@ static void test_strangers(Relaxation settings)
 		double most = 0;
 		for (uint32_t i = 0; i < 2000; i++)
 			for (int k = 0; k < 3; k++)
-				most = fmax(most, fabs((double)both->photons[i].position[k] - alone->photons[i].position[k]));
-		CHECK(most < 0.002); /* a tenth of the spacing: neighbours may be cut off at the most asked for */
+				most = fmax(most, fabs((double)both->photons[i].position[k] -
+						       alone->photons[i].position[k]));
+		CHECK(most < 0.002); /* a tenth of the spacing: neighbours may be cut off at the
+					most asked for */
 		photon_map_destroy(both);
 		photon_map_destroy(alone);
 	}
@@ -303,7 +311,8 @@ static void test_edge_of_object(Relaxation settings)
 {
 	PhotonMap *map = noise(4000);
 	for (uint32_t i = 0; i < 4000; i++)
-		place(&map->photons[i], 0.5 * random_uniform(5, i, 0), 0.5 * random_uniform(5, i, 1));
+		place(&map->photons[i], 0.5 * random_uniform(5, i, 0),
+		      0.5 * random_uniform(5, i, 1));
 	RelaxSurfaces surfaces = {NULL, 0, table, NULL};
 	photon_relax(map, &settings, &surfaces, NULL);
 	int past = 0;

@@ -4,7 +4,8 @@
 #include "check.h"
 #include "scene_check.h"
 
-static Film *render_scene(SceneBuilder *builder, const RenderOptions *options, int width, int height)
+static Film *render_scene(SceneBuilder *builder, const RenderOptions *options, int width,
+			  int height)
 {
 	Scene *scene = scene_freeze(builder);
 	Film *film = film_create(width, height, ~0u >> (32 - FILM_LAYER_COUNT));
@@ -15,13 +16,15 @@ static Film *render_scene(SceneBuilder *builder, const RenderOptions *options, i
 	return film;
 }
 
-/* Everything glows with 0.5; whatever stands in there and keeps light's sum cannot be told from its surroundings. */
+/* Everything glows with 0.5; whatever stands in there and keeps light's sum cannot be told from its
+ * surroundings. */
 static void add_furnace(SceneBuilder *builder)
 {
 	Finish glow = scene_finish();
 	glow.emission = rgb_all(0.5f);
-	Object *walls = scene_add(builder, &box_class, scene_box(builder, vec3(-9, -9, -9), vec3(9, 9, 9)),
-	                          scene_texture(builder, rgbft(1, 1, 1, 0, 0), glow));
+	Object *walls = scene_add(builder, &box_class,
+				  scene_box(builder, vec3(-9, -9, -9), vec3(9, 9, 9)),
+				  scene_texture(builder, rgbft(1, 1, 1, 0, 0), glow));
 	walls->flags.hollow = ON;
 }
 
@@ -33,8 +36,9 @@ static void check_furnace(Diag *diag)
 	Finish glass = scene_finish();
 	glass.reflection.max = rgb_all(1);
 	glass.reflection.fresnel = glass.conserve_energy = true;
-	Object *ball = scene_add(&builder, &sphere_class, scene_sphere(&builder, vec3(0, 0, 0), 1.5),
-	                         scene_texture(&builder, rgbft(1, 1, 1, 0, 1), glass));
+	Object *ball = scene_add(&builder, &sphere_class,
+				 scene_sphere(&builder, vec3(0, 0, 0), 1.5),
+				 scene_texture(&builder, rgbft(1, 1, 1, 0, 1), glass));
 	Interior interior = interior_default();
 	interior.ior = 1.5f;
 	ball->interior = &interior;
@@ -69,7 +73,8 @@ static void check_mirror_and_pane(Diag *diag)
 	film_destroy(film);
 }
 
-/* A pane of glass before a wall of light, black behind the eye: of all bounces together (1 - R) / (1 + R) comes through. */
+/* A pane of glass before a wall of light, black behind the eye: of all bounces together (1 - R) /
+ * (1 + R) comes through. */
 static void check_fresnel_slab(Diag *diag)
 {
 	SceneBuilder builder = scene_start(diag);
@@ -79,8 +84,9 @@ static void check_fresnel_slab(Diag *diag)
 	glass.reflection.fresnel = glass.conserve_energy = true;
 	scene_add(&builder, &plane_class, scene_plane(&builder, vec3(0, 0, -1), -20),
 	          scene_texture(&builder, rgbft(1, 1, 1, 0, 0), glow));
-	Object *pane = scene_add(&builder, &box_class, scene_box(&builder, vec3(-90, -90, 0), vec3(90, 90, 1)),
-	                         scene_texture(&builder, rgbft(1, 1, 1, 0, 1), glass));
+	Object *pane = scene_add(&builder, &box_class,
+				 scene_box(&builder, vec3(-90, -90, 0), vec3(90, 90, 1)),
+				 scene_texture(&builder, rgbft(1, 1, 1, 0, 1), glass));
 	Interior interior = interior_default();
 	interior.ior = 1.5f;
 	pane->interior = &interior;
@@ -88,14 +94,15 @@ static void check_fresnel_slab(Diag *diag)
 	RenderOptions options = render_options_default();
 	Film *film = render_scene(&builder, &options, 1, 1);
 	double outer = atan(1), inner = asin(sin(outer) / 1.5);
-	double s = sin(outer - inner) / sin(outer + inner), p = tan(outer - inner) / tan(outer + inner);
+	double s = sin(outer - inner) / sin(outer + inner),
+	       p = tan(outer - inner) / tan(outer + inner);
 	double reflectance = (s * s + p * p) / 2;
 	CHECK_NEAR(film_pixels(film, FILM_COLOR)[0], (1 - reflectance) / (1 + reflectance), 1e-4);
 	film_destroy(film);
 }
 
-/* A glass ball of index n and radius R gathers light from infinity at n R / (2 (n - 1)) from its centre: seen through it, a spot
- * of that place covers all of the middle. */
+/* A glass ball of index n and radius R gathers light from infinity at n R / (2 (n - 1)) from its
+ * centre: seen through it, a spot of that place covers all of the middle. */
 static void check_ball_lens(Diag *diag)
 {
 	SceneBuilder builder = scene_start(diag);
@@ -110,8 +117,9 @@ static void check_ball_lens(Diag *diag)
 	Interior interior = interior_default();
 	interior.ior = (float)n;
 	ball->interior = &interior;
-	scene_add(&builder, &box_class, scene_box(&builder, vec3(-0.01, -0.01, focus), vec3(0.01, 0.01, focus + 0.1)),
-	          scene_texture(&builder, rgbft(1, 1, 1, 0, 0), glow));
+	scene_add(&builder, &box_class,
+		  scene_box(&builder, vec3(-0.01, -0.01, focus), vec3(0.01, 0.01, focus + 0.1)),
+		  scene_texture(&builder, rgbft(1, 1, 1, 0, 0), glow));
 	RenderOptions options = render_options_default();
 	Film *film = render_scene(&builder, &options, 9, 9);
 	for (int i = 0; i < 81; i++)
@@ -127,8 +135,9 @@ static void check_lamp(Diag *diag)
 	matt.diffuse = 0.5f;
 	scene_add(&builder, &plane_class, scene_plane(&builder, vec3(0, 0, -1), -2),
 	          scene_texture(&builder, rgbft(1, 1, 1, 0, 0), matt));
-	Object *pane = scene_add(&builder, &box_class, scene_box(&builder, vec3(0, -9, 0), vec3(9, 9, 0.5)),
-	                         scene_texture(&builder, rgbft(1, 0, 0, 0.5f, 0), scene_finish()));
+	Object *pane = scene_add(&builder, &box_class,
+				 scene_box(&builder, vec3(0, -9, 0), vec3(9, 9, 0.5)),
+				 scene_texture(&builder, rgbft(1, 0, 0, 0.5f, 0), scene_finish()));
 	pane->flags.no_image = ON;
 	Light light = light_default();
 	light.position = vec3(0, 0, -1000);
@@ -151,8 +160,11 @@ static void build_busy(SceneBuilder *builder)
 	shiny.crand = 0.1f;
 	shiny.specular = 0.5f;
 	for (int i = 0; i < 12; i++)
-		scene_add(builder, &sphere_class, scene_sphere(builder, vec3(i % 4 - 1.5, i / 4 - 1, i % 3), 0.4),
-		          scene_texture(builder, rgbft(0.2f * (float)(i % 5), 0.5f, 1, 0, i % 3 ? 0 : 0.6f), shiny));
+		scene_add(builder, &sphere_class,
+			  scene_sphere(builder, vec3(i % 4 - 1.5, i / 4 - 1, i % 3), 0.4),
+			  scene_texture(builder,
+					rgbft(0.2f * (float)(i % 5), 0.5f, 1, 0, i % 3 ? 0 : 0.6f),
+					shiny));
 	scene_add(builder, &plane_class, scene_plane(builder, vec3(0, 1, 0), -1.5),
 	          scene_texture(builder, rgbft(1, 0.9f, 0.5f, 0, 0), finish_default()));
 	Light light = light_default();

@@ -39,8 +39,18 @@ static void drop(Scan *scan)
 
 static void test_numbers(void)
 {
-	static const char *const texts[] = {"0", "1", "12.5", ".25", "3.", "1e3", "1.5e-7", "0.1", "123456789012345678901",
-	                                    "0.000000000000000000000000001", "3.14159265358979323846", "9007199254740993"};
+	static const char *const texts[] = {"0",
+					    "1",
+					    "12.5",
+					    ".25",
+					    "3.",
+					    "1e3",
+					    "1.5e-7",
+					    "0.1",
+					    "123456789012345678901",
+					    "0.000000000000000000000000001",
+					    "3.14159265358979323846",
+					    "9007199254740993"};
 	for (size_t i = 0; i < sizeof texts / sizeof *texts; i++)
 		CHECK(number_parse(texts[i], strlen(texts[i])) == strtod(texts[i], NULL));
 	CHECK(number_parse("12<", 2) == 12);
@@ -64,9 +74,10 @@ static void test_tokens(void)
 {
 	Scan s;
 	scan(&s, "sphere{<-1,.5>}// c\r\n/* a /* b */ c */ x!=y # declare Q \"s\"\x1a junk");
-	static const int kinds[] = {TOKEN_NAME, TOKEN_SIGN, TOKEN_SIGN, TOKEN_SIGN, TOKEN_NUMBER, TOKEN_SIGN, TOKEN_NUMBER,
-	                            TOKEN_SIGN, TOKEN_SIGN, TOKEN_NAME, TOKEN_SIGN, TOKEN_NAME, TOKEN_DIRECTIVE, TOKEN_NAME,
-	                            TOKEN_STRING};
+	static const int kinds[] = {TOKEN_NAME,      TOKEN_SIGN, TOKEN_SIGN,   TOKEN_SIGN,
+				    TOKEN_NUMBER,    TOKEN_SIGN, TOKEN_NUMBER, TOKEN_SIGN,
+				    TOKEN_SIGN,      TOKEN_NAME, TOKEN_SIGN,   TOKEN_NAME,
+				    TOKEN_DIRECTIVE, TOKEN_NAME, TOKEN_STRING};
 	CHECK(s.file.count == sizeof kinds / sizeof *kinds);
 	for (size_t i = 0; i < sizeof kinds / sizeof *kinds && i < s.file.count; i++)
 		CHECK(s.file.tokens[i].kind == kinds[i]);
@@ -82,10 +93,12 @@ static void test_bad_tokens(void)
 {
 	Scan s;
 	scan(&s, "@ \"open");
-	CHECK(s.file.count == 2 && s.file.tokens[0].kind == TOKEN_BAD_CHARACTER && s.file.tokens[1].kind == TOKEN_OPEN_STRING);
+	CHECK(s.file.count == 2 && s.file.tokens[0].kind == TOKEN_BAD_CHARACTER &&
+	      s.file.tokens[1].kind == TOKEN_OPEN_STRING);
 	drop(&s);
 	scan(&s, "1 /* open");
-	CHECK(s.file.count == 2 && s.file.tokens[1].kind == TOKEN_OPEN_COMMENT && s.file.tokens[1].offset == 2);
+	CHECK(s.file.count == 2 && s.file.tokens[1].kind == TOKEN_OPEN_COMMENT &&
+	      s.file.tokens[1].offset == 2);
 	drop(&s);
 	CHECK(sizeof(Token) == 16);
 }
@@ -131,7 +144,8 @@ static void test_symbols(void)
 	for (int i = 0; i < 20000; i++) {
 		char text[16];
 		int length = snprintf(text, sizeof text, "n%d", i);
-		symbols_declare(table, symbols_intern(table, text, (size_t)length), value_float(i), false);
+		symbols_declare(table, symbols_intern(table, text, (size_t)length), value_float(i),
+				false);
 	}
 	CHECK(symbols_find(table, "n19999", 6)->value.number == 19999);
 	symbols_destroy(table);

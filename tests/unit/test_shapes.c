@@ -10,7 +10,8 @@
 static const char *message;
 
 /* The sorted crossings of a ray with a shape must be these. */
-static void check_distances(const ShapeClass *class, const void *data, Ray ray, const double *expected, int count)
+static void check_distances(const ShapeClass *class, const void *data, Ray ray,
+			    const double *expected, int count)
 {
 	Shape shape = test_shape(class, data);
 	HitList list;
@@ -34,13 +35,17 @@ static Ray ray_from(Vec3 origin, Vec3 direction)
 static void test_sphere(Arena *arena)
 {
 	const void *data = sphere_create(arena, vec3(1, 0, 0), 2);
-	check_distances(&sphere_class, data, ray_from(vec3(-5, 0, 0), vec3(1, 0, 0)), (double[]){4, 8}, 2);
-	check_distances(&sphere_class, data, ray_from(vec3(-5, 0, 0), vec3(2, 0, 0)), (double[]){2, 4}, 2);
-	check_distances(&sphere_class, data, ray_from(vec3(0, 0, 0), vec3(1, 0, 0)), (double[]){3}, 1);
+	check_distances(&sphere_class, data, ray_from(vec3(-5, 0, 0), vec3(1, 0, 0)),
+			(double[]){4, 8}, 2);
+	check_distances(&sphere_class, data, ray_from(vec3(-5, 0, 0), vec3(2, 0, 0)),
+			(double[]){2, 4}, 2);
+	check_distances(&sphere_class, data, ray_from(vec3(0, 0, 0), vec3(1, 0, 0)), (double[]){3},
+			1);
 	check_distances(&sphere_class, data, ray_from(vec3(1, 1, -1e6), vec3(0, 0, 1)),
 	                (double[]){1e6 - sqrt(3), 1e6 + sqrt(3)}, 2);
 	check_distances(&sphere_class, data, ray_from(vec3(-5, 2.1, 0), vec3(1, 0, 0)), NULL, 0);
-	check_distances(&sphere_class, sphere_create(arena, vec3_all(0), 0), ray_from(vec3(0, 0, -5), vec3(0, 0, 1)), NULL, 0);
+	check_distances(&sphere_class, sphere_create(arena, vec3_all(0), 0),
+			ray_from(vec3(0, 0, -5), vec3(0, 0, 1)), NULL, 0);
 	Shape shape = test_shape(&sphere_class, data);
 	Hit hit = {.shape = &shape};
 	Vec2 uv = hit_uv(&hit, vec3(1, 0, 2));
@@ -52,13 +57,18 @@ static void test_sphere(Arena *arena)
 static void test_box(Arena *arena)
 {
 	const void *data = box_create(arena, vec3(1, 2, 3), vec3(-1, -2, -3));
-	check_distances(&box_class, data, ray_from(vec3(0, 0, -10), vec3(0, 0, 1)), (double[]){7, 13}, 2);
-	check_distances(&box_class, data, ray_from(vec3(5, 0, 0), vec3(-1, 0, 0)), (double[]){4, 6}, 2);
-	check_distances(&box_class, data, ray_from(vec3(0, 0, 0), vec3(0, 4, 0)), (double[]){0.5}, 1);
-	check_distances(&box_class, data, ray_from(vec3(-3, -2.5, 0), vec3(1, 1, 0)), (double[]){2, 4}, 2);
+	check_distances(&box_class, data, ray_from(vec3(0, 0, -10), vec3(0, 0, 1)),
+			(double[]){7, 13}, 2);
+	check_distances(&box_class, data, ray_from(vec3(5, 0, 0), vec3(-1, 0, 0)), (double[]){4, 6},
+			2);
+	check_distances(&box_class, data, ray_from(vec3(0, 0, 0), vec3(0, 4, 0)), (double[]){0.5},
+			1);
+	check_distances(&box_class, data, ray_from(vec3(-3, -2.5, 0), vec3(1, 1, 0)),
+			(double[]){2, 4}, 2);
 	check_distances(&box_class, data, ray_from(vec3(5, 3, 0), vec3(-1, 0, 0)), NULL, 0);
 	const void *flat = box_create(arena, vec3(0, 0, 0), vec3(1, 0, 1));
-	check_distances(&box_class, flat, ray_from(vec3(0.5, 3, 0.5), vec3(0, -1, 0)), (double[]){3, 3}, 2);
+	check_distances(&box_class, flat, ray_from(vec3(0.5, 3, 0.5), vec3(0, -1, 0)),
+			(double[]){3, 3}, 2);
 	Shape shape = test_shape(&box_class, data);
 	check_shape(&shape, &(ShapeTraits){.name = "box", .size = 3, .step = 1e-6}, 2000);
 	CHECK(shape_inside(&shape, vec3(1, 0, 0)));
@@ -70,7 +80,8 @@ static void test_box(Arena *arena)
 static void test_plane(Arena *arena)
 {
 	const void *data = plane_create(arena, vec3(0, 2, 0), 3, &message);
-	check_distances(&plane_class, data, ray_from(vec3(0, 10, 0), vec3(0, -1, 0)), (double[]){7}, 1);
+	check_distances(&plane_class, data, ray_from(vec3(0, 10, 0), vec3(0, -1, 0)), (double[]){7},
+			1);
 	check_distances(&plane_class, data, ray_from(vec3(0, 10, 0), vec3(1, 0, 0)), NULL, 0);
 	check_distances(&plane_class, data, ray_from(vec3(0, 10, 0), vec3(0, 1, 0)), NULL, 0);
 	CHECK(!plane_create(arena, vec3(0, 0, 0), 1, &message));
@@ -85,19 +96,25 @@ static void test_cone(Arena *arena)
 {
 	ConeDesc desc = {.base = {0, 0, 0}, .cap = {0, 4, 0}, .base_radius = 2, .cap_radius = 1};
 	const void *data = cone_create(arena, &desc, &message);
-	check_distances(&cone_class, data, ray_from(vec3(-5, 2, 0), vec3(1, 0, 0)), (double[]){3.5, 6.5}, 2);
-	check_distances(&cone_class, data, ray_from(vec3(0, 9, 0), vec3(0, -1, 0)), (double[]){5, 9}, 2);
-	check_distances(&cone_class, data, ray_from(vec3(1.5, 9, 0), vec3(0, -1, 0)), (double[]){7, 9}, 2);
+	check_distances(&cone_class, data, ray_from(vec3(-5, 2, 0), vec3(1, 0, 0)),
+			(double[]){3.5, 6.5}, 2);
+	check_distances(&cone_class, data, ray_from(vec3(0, 9, 0), vec3(0, -1, 0)),
+			(double[]){5, 9}, 2);
+	check_distances(&cone_class, data, ray_from(vec3(1.5, 9, 0), vec3(0, -1, 0)),
+			(double[]){7, 9}, 2);
 	Shape shape = test_shape(&cone_class, data);
 	check_shape(&shape, &(ShapeTraits){.name = "cone", .size = 4, .step = 1e-6}, 2000);
 	desc.open = true;
-	check_distances(&cone_class, cone_create(arena, &desc, &message), ray_from(vec3(1.5, 9, 0), vec3(0, -1, 0)),
-	                (double[]){7}, 1);
+	check_distances(&cone_class, cone_create(arena, &desc, &message),
+			ray_from(vec3(1.5, 9, 0), vec3(0, -1, 0)), (double[]){7}, 1);
 	desc = (ConeDesc){.base = {0, -1, 0}, .cap = {3, -1, 4}, .base_radius = 1, .cap_radius = 1};
 	data = cone_create(arena, &desc, &message);
-	check_distances(&cylinder_class, data, ray_from(vec3(1.5, 5, 2), vec3(0, -1, 0)), (double[]){5, 7}, 2);
-	check_distances(&cylinder_class, data, ray_from(vec3(-3, -1, -4), vec3(3, 0, 4)), (double[]){1, 2}, 2);
-	check_distances(&cylinder_class, data, ray_from(vec3(1.5, 1e6, 2), vec3(0, -1, 0)), (double[]){1e6, 1e6 + 2}, 2);
+	check_distances(&cylinder_class, data, ray_from(vec3(1.5, 5, 2), vec3(0, -1, 0)),
+			(double[]){5, 7}, 2);
+	check_distances(&cylinder_class, data, ray_from(vec3(-3, -1, -4), vec3(3, 0, 4)),
+			(double[]){1, 2}, 2);
+	check_distances(&cylinder_class, data, ray_from(vec3(1.5, 1e6, 2), vec3(0, -1, 0)),
+			(double[]){1e6, 1e6 + 2}, 2);
 	shape = test_shape(&cylinder_class, data);
 	check_shape(&shape, &(ShapeTraits){.name = "cylinder", .size = 4, .step = 1e-6}, 2000);
 	desc = (ConeDesc){.base = {0, 0, 0}, .cap = {0, 0, 0}, .base_radius = 1, .cap_radius = 1};
@@ -113,7 +130,8 @@ static void test_disc(Arena *arena)
 {
 	DiscDesc desc = {.center = {0, 1, 0}, .normal = {0, 3, 0}, .radius = 2, .hole = 0.5};
 	const void *data = disc_create(arena, &desc);
-	check_distances(&disc_class, data, ray_from(vec3(1, 4, 0), vec3(0, -1, 0)), (double[]){3}, 1);
+	check_distances(&disc_class, data, ray_from(vec3(1, 4, 0), vec3(0, -1, 0)), (double[]){3},
+			1);
 	check_distances(&disc_class, data, ray_from(vec3(0.4, 4, 0), vec3(0, -1, 0)), NULL, 0);
 	check_distances(&disc_class, data, ray_from(vec3(0, 4, 2.1), vec3(0, -1, 0)), NULL, 0);
 	Shape shape = test_shape(&disc_class, data);
@@ -126,13 +144,15 @@ static void test_disc(Arena *arena)
 static void test_torus(Arena *arena)
 {
 	const void *data = torus_create(arena, 3, 1);
-	check_distances(&torus_class, data, ray_from(vec3(-10, 0, 0), vec3(1, 0, 0)), (double[]){6, 8, 12, 14}, 4);
+	check_distances(&torus_class, data, ray_from(vec3(-10, 0, 0), vec3(1, 0, 0)),
+			(double[]){6, 8, 12, 14}, 4);
 	check_distances(&torus_class, data, ray_from(vec3(-1e5, 0, 0), vec3(10, 0, 0)),
 	                (double[]){9999.6, 9999.8, 10000.2, 10000.4}, 4);
 	check_distances(&torus_class, data, ray_from(vec3(3.5, 10, 0), vec3(0, -1, 0)),
 	                (double[]){10 - sqrt(0.75), 10 + sqrt(0.75)}, 2);
 	check_distances(&torus_class, data, ray_from(vec3(0, 10, 0), vec3(0, -1, 0)), NULL, 0);
-	check_distances(&torus_class, torus_create(arena, 1, -1), ray_from(vec3(-5, 0, 0), vec3(1, 0, 0)), NULL, 0);
+	check_distances(&torus_class, torus_create(arena, 1, -1),
+			ray_from(vec3(-5, 0, 0), vec3(1, 0, 0)), NULL, 0);
 	Shape shape = test_shape(&torus_class, data);
 	check_shape(&shape, &(ShapeTraits){.name = "torus", .size = 4, .step = 1e-6}, 2000);
 	shape = test_shape(&torus_class, torus_create(arena, 3, 0.05));

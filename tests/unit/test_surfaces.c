@@ -18,11 +18,13 @@ static void test_quaternion(Arena *arena)
 	check_shape(&shape, &(ShapeTraits){.name = "quaternion", .size = 1.2, .step = 1e-4}, 1000);
 	desc.function = JULIA_CUBE;
 	shape = test_shape(&julia_fractal_class, julia_create(arena, &desc, &message));
-	check_shape(&shape, &(ShapeTraits){.name = "quaternion cube", .size = 1.2, .step = 1e-4}, 1000);
+	check_shape(&shape, &(ShapeTraits){.name = "quaternion cube", .size = 1.2, .step = 1e-4},
+		    1000);
 	desc.slice_normal[0] = 0.5;
 	desc.slice_distance = 0.1;
 	shape = test_shape(&julia_fractal_class, julia_create(arena, &desc, &message));
-	check_shape(&shape, &(ShapeTraits){.name = "sliced quaternion", .size = 1.2, .step = 1e-4}, 1000);
+	check_shape(&shape, &(ShapeTraits){.name = "sliced quaternion", .size = 1.2, .step = 1e-4},
+		    1000);
 	desc.function = JULIA_SIN;
 	CHECK(!julia_create(arena, &desc, &message));
 	desc.function = JULIA_SQR;
@@ -36,12 +38,14 @@ static void test_sphere(Arena *arena)
 {
 	JuliaDesc desc = julia_default();
 	Shape shape = test_shape(&julia_fractal_class, julia_create(arena, &desc, &message));
-	CHECK(shape_inside(&shape, vec3(0.6, 0.5, 0.5)) && !shape_inside(&shape, vec3(0.6, 0.6, 0.6)));
+	CHECK(shape_inside(&shape, vec3(0.6, 0.5, 0.5)) &&
+	      !shape_inside(&shape, vec3(0.6, 0.6, 0.6)));
 }
 
 static void test_hypercomplex(Arena *arena)
 {
-	const JuliaFunction functions[] = {JULIA_SQR, JULIA_CUBE, JULIA_RECIPROCAL, JULIA_SINH, JULIA_PWR, JULIA_EXP};
+	const JuliaFunction functions[] = {JULIA_SQR,  JULIA_CUBE, JULIA_RECIPROCAL,
+					   JULIA_SINH, JULIA_PWR,  JULIA_EXP};
 	for (int i = 0; i < 6; i++) {
 		JuliaDesc desc = julia_default();
 		desc.hypercomplex = true;
@@ -51,8 +55,13 @@ static void test_hypercomplex(Arena *arena)
 		desc.parameter[1] = 0.8;
 		desc.max_iteration = 4;
 		desc.precision = 100;
-		Shape shape = test_shape(&julia_fractal_class, julia_create(arena, &desc, &message));
-		check_shape(&shape, &(ShapeTraits){.name = "hypercomplex", .size = 2, .step = 1e-4, .both_ways = true}, 300);
+		Shape shape = test_shape(&julia_fractal_class,
+					 julia_create(arena, &desc, &message));
+		check_shape(
+			&shape,
+			&(ShapeTraits){
+				.name = "hypercomplex", .size = 2, .step = 1e-4, .both_ways = true},
+			300);
 	}
 }
 
@@ -70,7 +79,10 @@ static void test_parametric(Arena *arena)
 	desc.function = &radius;
 	desc.hi = (Vec2){M_PI, 2 * M_PI};
 	Shape shape = test_shape(&parametric_class, parametric_create(arena, &desc, &message));
-	check_shape(&shape, &(ShapeTraits){.name = "parametric", .size = 1, .step = 1e-6, .no_inside = true}, 2000);
+	check_shape(
+		&shape,
+		&(ShapeTraits){.name = "parametric", .size = 1, .step = 1e-6, .no_inside = true},
+		2000);
 	int bad = 0;
 	for (int n = 0; n < 1000; n++) {
 		Sampler sampler = {9, (uint64_t)n, 0};

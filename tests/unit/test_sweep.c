@@ -5,7 +5,8 @@
 #include "geom/sweep.h"
 #include "tests/unit/shape_check.h"
 
-/* Rays that start anywhere: crossings and inside() must take turns, normals must point along a change of inside(). */
+/* Rays that start anywhere: crossings and inside() must take turns, normals must point along a
+ * change of inside(). */
 enum { SHAPE_CHECK_RAYS = 2000 };
 
 static Vec3 random_in_box(Sampler *s, Box3 box, double widen)
@@ -17,8 +18,8 @@ static Vec3 random_in_box(Sampler *s, Box3 box, double widen)
 	return p;
 }
 
-/* For solids: between neighbouring crossings everything is inside or everything is outside, in turns. Counts the rays where
- * that fails: a few may graze an edge. */
+/* For solids: between neighbouring crossings everything is inside or everything is outside, in
+ * turns. Counts the rays where that fails: a few may graze an edge. */
 static int check_alternation(const Shape *shape, const HitList *list, const Ray *ray)
 {
 	double previous = ray->tmin;
@@ -39,7 +40,8 @@ static int check_normals(const Shape *shape, const HitList *list, const Ray *ray
 	for (int i = 0; i < list->count; i++) {
 		Vec3 p = ray_at(ray, list->hits[i].t), n = hit_normal(&list->hits[i], p);
 		CHECK_NEAR(vec3_length(n), 1, 1e-9);
-		wrong += shape_inside(shape, vec3_mad(p, step, n)) || !shape_inside(shape, vec3_mad(p, -step, n));
+		wrong += shape_inside(shape, vec3_mad(p, step, n)) ||
+			 !shape_inside(shape, vec3_mad(p, -step, n));
 	}
 	return wrong;
 }
@@ -51,7 +53,8 @@ static void check_solid(const Shape *shape, const char *name, double allowed)
 	int turns = 0, normals = 0, hits = 0, nearest = 0;
 	double size = vec3_distance(shape->box.lo, shape->box.hi);
 	for (int i = 0; i < SHAPE_CHECK_RAYS; i++) {
-		Vec3 through = random_in_box(&s, shape->box, 0), from = random_in_box(&s, shape->box, 2);
+		Vec3 through = random_in_box(&s, shape->box, 0),
+		     from = random_in_box(&s, shape->box, 2);
 		Ray ray = {from, vec3_normalize(vec3_sub(through, from)), 0, 6 * size};
 		HitList list;
 		hit_list_init(&list);
@@ -62,21 +65,25 @@ static void check_solid(const Shape *shape, const char *name, double allowed)
 		hits += list.count;
 		Hit hit;
 		bool found = shape_nearest(shape, &ray, &hit);
-		nearest += found != (list.count > 0) || (found && fabs(hit.t - list.hits[0].t) > 1e-9 * size);
+		nearest += found != (list.count > 0) ||
+			   (found && fabs(hit.t - list.hits[0].t) > 1e-9 * size);
 		hit_list_free(&list);
 	}
-	if (hits < SHAPE_CHECK_RAYS / 4 || turns > allowed * SHAPE_CHECK_RAYS || normals > allowed * hits || nearest > 0) {
+	if (hits < SHAPE_CHECK_RAYS / 4 || turns > allowed * SHAPE_CHECK_RAYS ||
+	    normals > allowed * hits || nearest > 0) {
 		check_failures++;
-		printf("%s: %d hits, %d rays out of turn, %d wrong normals, %d wrong nearest hits\n", name, hits, turns, normals,
-		       nearest);
+		printf("%s: %d hits, %d rays out of turn, %d wrong normals, %d wrong nearest hits\n",
+		       name, hits, turns, normals, nearest);
 	}
 }
 
-static const Vec2 star[] = {{0, 3}, {1, 1}, {3, 0.5}, {1.2, -0.5}, {2, -3}, {0, -1}, {-2, -2.5}, {-1, 0}, {-3, 1}, {-0.8, 1}, {0, 3}};
-static const Vec2 with_hole[] = {{0, 0}, {4, 0}, {4, 3}, {0, 3}, {0, 0}, {1, 1}, {2, 1}, {2, 2}, {1, 2}, {1, 1}};
+static const Vec2 star[] = {{0, 3},     {1, 1},  {3, 0.5}, {1.2, -0.5}, {2, -3}, {0, -1},
+			    {-2, -2.5}, {-1, 0}, {-3, 1},  {-0.8, 1},   {0, 3}};
+static const Vec2 with_hole[] = {{0, 0}, {4, 0}, {4, 3}, {0, 3}, {0, 0},
+				 {1, 1}, {2, 1}, {2, 2}, {1, 2}, {1, 1}};
 static const Vec2 round_curve[] = {{-1, 0}, {0, 1}, {1, 0}, {0, -1}, {-1, 0}, {0, 1}, {1, 0}};
-static const Vec2 bezier[] = {{0, 1}, {0.5, 1}, {1, 0.5}, {1, 0}, {1, 0}, {1, -2}, {-1, -2}, {-1, 0},
-                              {-1, 0}, {-1, 0.5}, {-0.5, 1}, {0, 1}};
+static const Vec2 bezier[] = {{0, 1},   {0.5, 1}, {1, 0.5}, {1, 0},    {1, 0},    {1, -2},
+			      {-1, -2}, {-1, 0},  {-1, 0},  {-1, 0.5}, {-0.5, 1}, {0, 1}};
 
 static void test_prism(Arena *arena)
 {
@@ -90,8 +97,9 @@ static void test_prism(Arena *arena)
 		{CURVE_BEZIER, false, false, 0, 1, bezier, 12},
 		{CURVE_BEZIER, true, false, 0.1, 1, bezier, 12},
 	};
-	const char *names[] = {"star prism", "conic prism with a hole", "double cone", "cubic prism", "quadratic prism", "bezier prism",
-	                       "conic bezier prism"};
+	const char *names[] = {"star prism",        "conic prism with a hole", "double cone",
+			       "cubic prism",       "quadratic prism",         "bezier prism",
+			       "conic bezier prism"};
 	for (int i = 0; i < 7; i++) {
 		Shape shape = test_shape(&prism_class, prism_create(arena, &descs[i], &error));
 		CHECK(shape.data);
@@ -106,8 +114,11 @@ static void test_prism(Arena *arena)
 static void test_lathe(Arena *arena)
 {
 	const char *error;
-	static const Vec2 cone[] = {{0, 0}, {1, 0}, {0, 2}}, glass[] = {{1, -1}, {0, 0}, {1.2, 0.3}, {0.4, 1}, {0.9, 2}, {0, 2.2}, {-1, 2}};
-	LatheDesc descs[] = {{CURVE_LINEAR, cone, 3}, {CURVE_CUBIC, glass, 7}, {CURVE_QUADRATIC, glass, 6}};
+	static const Vec2 cone[] = {{0, 0}, {1, 0}, {0, 2}},
+			  glass[] = {{1, -1},  {0, 0},   {1.2, 0.3}, {0.4, 1},
+				     {0.9, 2}, {0, 2.2}, {-1, 2}};
+	LatheDesc descs[] = {
+		{CURVE_LINEAR, cone, 3}, {CURVE_CUBIC, glass, 7}, {CURVE_QUADRATIC, glass, 6}};
 	const char *names[] = {"linear lathe", "cubic lathe", "quadratic lathe"};
 	for (int i = 0; i < 2; i++) {
 		Shape shape = test_shape(&lathe_class, lathe_create(arena, &descs[i], &error));
@@ -125,7 +136,8 @@ static void test_lathe(Arena *arena)
 static void test_sor(Arena *arena)
 {
 	const char *error;
-	static const Vec2 vase[] = {{1, -1}, {1, 0}, {1.5, 0.5}, {0.5, 1.5}, {0.8, 2}, {1, 3}}, falling[] = {{1, 0}, {1, 1}, {1, 0.5}, {1, 2}};
+	static const Vec2 vase[] = {{1, -1}, {1, 0}, {1.5, 0.5}, {0.5, 1.5}, {0.8, 2}, {1, 3}},
+			  falling[] = {{1, 0}, {1, 1}, {1, 0.5}, {1, 2}};
 	SorDesc closed = {vase, 6, false}, wrong = {falling, 4, false}, few = {vase, 3, false};
 	Shape shape = test_shape(&sor_class, sor_create(arena, &closed, &error));
 	check_solid(&shape, "sor", 0.005);
@@ -149,7 +161,8 @@ static void test_height_field(Arena *arena)
 	Sampler s = {5, 0, 0};
 	/* from above every ray that ends below the lowest height crosses once more down than up */
 	for (int i = 0; i < 2000; i++) {
-		Vec3 from = vec3(sampler_next(&s), 1, sampler_next(&s)), to = vec3(sampler_next(&s), 0, sampler_next(&s));
+		Vec3 from = vec3(sampler_next(&s), 1, sampler_next(&s)),
+		     to = vec3(sampler_next(&s), 0, sampler_next(&s));
 		Ray ray = {from, vec3_sub(to, from), 0, 1};
 		HitList list;
 		hit_list_init(&list);
@@ -180,7 +193,8 @@ static void test_polygon(Arena *arena)
 		points[i] = vec3(with_hole[i].u, with_hole[i].v, with_hole[i].u + 1);
 	Shape shape = test_shape(&polygon_class, polygon_create(arena, points, 10, &error));
 	Hit hit;
-	Ray through = {{0.5, 0.5, -5}, {0, 0, 1}, 0, 100}, hole = {{1.5, 1.5, -5}, {0, 0, 1}, 0, 100};
+	Ray through = {{0.5, 0.5, -5}, {0, 0, 1}, 0, 100},
+	    hole = {{1.5, 1.5, -5}, {0, 0, 1}, 0, 100};
 	CHECK(shape_nearest(&shape, &through, &hit));
 	CHECK_NEAR(hit.t, 6.5, 1e-12);
 	CHECK(!shape_nearest(&shape, &hole, &hit));
@@ -192,14 +206,23 @@ static void test_polygon(Arena *arena)
 /* A unit octahedron: inside is |x| + |y| + |z| < 1. */
 static void test_mesh(Arena *arena)
 {
-	static const float v[6][3] = {{1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}, {0, 0, -1}};
-	static const int t[8][3] = {{0, 2, 4}, {2, 1, 4}, {1, 3, 4}, {3, 0, 4}, {2, 0, 5}, {1, 2, 5}, {3, 1, 5}, {0, 3, 5}};
-	MeshDesc desc = {.vertices = v, .vertex_count = 6, .triangles = t, .triangle_count = 8, .normals = v, .normal_count = 6,
-	                 .has_inside_vector = true, .inside_vector = {0.1, 1, 0.2}};
+	static const float v[6][3] = {{1, 0, 0},  {-1, 0, 0}, {0, 1, 0},
+				      {0, -1, 0}, {0, 0, 1},  {0, 0, -1}};
+	static const int t[8][3] = {{0, 2, 4}, {2, 1, 4}, {1, 3, 4}, {3, 0, 4},
+				    {2, 0, 5}, {1, 2, 5}, {3, 1, 5}, {0, 3, 5}};
+	MeshDesc desc = {.vertices = v,
+			 .vertex_count = 6,
+			 .triangles = t,
+			 .triangle_count = 8,
+			 .normals = v,
+			 .normal_count = 6,
+			 .has_inside_vector = true,
+			 .inside_vector = {0.1, 1, 0.2}};
 	const char *error;
 	Shape shape = test_shape(&mesh_class, mesh_create(arena, &desc, &error));
 	check_solid(&shape, "mesh", 0.002);
-	CHECK(shape_inside(&shape, vec3(0.3, 0.3, 0.3)) && !shape_inside(&shape, vec3(0.4, 0.4, 0.4)));
+	CHECK(shape_inside(&shape, vec3(0.3, 0.3, 0.3)) &&
+	      !shape_inside(&shape, vec3(0.4, 0.4, 0.4)));
 	Ray ray = {{3, 3, 3}, {-1, -1, -1}, 0, 100};
 	Hit hit;
 	CHECK(shape_nearest(&shape, &ray, &hit));
@@ -214,13 +237,16 @@ static void test_mesh(Arena *arena)
 static void test_patch(Arena *arena)
 {
 	PatchDesc desc = {.u_steps = 4, .v_steps = 4};
-	for (int i = 0; i < 16; i++) /* Bezier control points of z = x^2 over the unit square, as x = j / 3 */
-		desc.control[i] = vec3((i % 4) / 3.0, (i / 4) / 3.0, (double[]){0, 0, 1.0 / 3, 1}[i % 4]);
+	for (int i = 0; i < 16;
+	     i++) /* Bezier control points of z = x^2 over the unit square, as x = j / 3 */
+		desc.control[i] = vec3((i % 4) / 3.0, (i / 4) / 3.0,
+				       (double[]){0, 0, 1.0 / 3, 1}[i % 4]);
 	Shape shape = test_shape(&mesh_class, bicubic_patch_create(arena, &desc));
 	Ray ray = {{0.53, 0.41, -1}, {0, 0, 1}, 0, 10};
 	Hit hit;
 	CHECK(shape_nearest(&shape, &ray, &hit));
-	CHECK_NEAR(hit.t, 1 + 0.53 * 0.53, 1e-3); /* 16 chords miss the parabola by at most 1/1024 */
+	CHECK_NEAR(hit.t, 1 + 0.53 * 0.53,
+		   1e-3); /* 16 chords miss the parabola by at most 1/1024 */
 	CHECK_NEAR(hit_uv(&hit, ray_at(&ray, hit.t)).u, 0.53, 1e-6);
 	Vec3 n = hit_shading_normal(&hit, ray_at(&ray, hit.t));
 	CHECK_NEAR(fabs(n.x / n.z), 2 * 0.53, 2e-2);

@@ -19,16 +19,21 @@ static Pattern along_x(void)
 
 static SurfacePoint point(double x)
 {
-	return (SurfacePoint){.p = {x, 0, 0}, .normal = {0, 0, -1}, .direction = {0, 0, 1}, .world = {x, 0, 0}};
+	return (SurfacePoint){
+		.p = {x, 0, 0}, .normal = {0, 0, -1}, .direction = {0, 0, 1}, .world = {x, 0, 0}};
 }
 
 static const ColorEntry MAP[] = {
-	{0.2, {1, 0, 0, 0, 0}}, {0.6, {0, 1, 0, 0.4f, 0.8f}}, {0.6, {0, 0, 1, 0, 0}}, {0.8, {1, 1, 1, 1, 1}},
+	{0.2, {1, 0, 0, 0, 0}},
+	{0.6, {0, 1, 0, 0.4f, 0.8f}},
+	{0.6, {0, 0, 1, 0, 0}},
+	{0.8, {1, 1, 1, 1, 1}},
 };
 
 static Rgbft map_color(double x)
 {
-	Pigment pigment = {.kind = PIGMENT_COLOR_MAP, .pattern = along_x(), .colors = MAP, .color_count = 4};
+	Pigment pigment = {
+		.kind = PIGMENT_COLOR_MAP, .pattern = along_x(), .colors = MAP, .color_count = 4};
 	SurfacePoint at = point(x);
 	return pigment_color(&pigment, &at);
 }
@@ -51,7 +56,8 @@ static void test_color_map(void)
 /* Keys that fall: the first key that is not below the value counts. */
 static void test_falling_keys(void)
 {
-	const ColorEntry entries[] = {{0.5, {1, 0, 0, 0, 0}}, {0.1, {0, 1, 0, 0, 0}}, {1, {0, 0, 1, 0, 0}}};
+	const ColorEntry entries[] = {
+		{0.5, {1, 0, 0, 0, 0}}, {0.1, {0, 1, 0, 0, 0}}, {1, {0, 0, 1, 0, 0}}};
 	BlendSpan span = blend_find(entries, sizeof entries[0], 3, 0.2);
 	CHECK(span.lower == 0 && span.upper == 0);
 	span = blend_find(entries, sizeof entries[0], 3, 0.55);
@@ -59,7 +65,10 @@ static void test_falling_keys(void)
 	CHECK_NEAR(span.weight, 0.5, 1e-12);
 }
 
-static Pigment plain(float r, float g, float b) { return (Pigment){.kind = PIGMENT_COLOR, .color = {r, g, b, 0, 0}}; }
+static Pigment plain(float r, float g, float b)
+{
+	return (Pigment){.kind = PIGMENT_COLOR, .color = {r, g, b, 0, 0}};
+}
 
 static void test_average(void)
 {
@@ -77,7 +86,8 @@ static void test_average(void)
 
 static void test_uv(void)
 {
-	Pigment inner = {.kind = PIGMENT_COLOR_MAP, .pattern = along_x(), .colors = MAP, .color_count = 4};
+	Pigment inner = {
+		.kind = PIGMENT_COLOR_MAP, .pattern = along_x(), .colors = MAP, .color_count = 4};
 	const PigmentEntry entry = {0, &inner};
 	Pigment uv = {.kind = PIGMENT_UV, .pigments = &entry, .pigment_count = 1};
 	SurfacePoint at = point(17);
@@ -124,7 +134,8 @@ static void test_texture_map(void)
 	const TextureEntry inner_entries[] = {{1, &t[0]}, {1, &t[1]}};
 	Texture average = {.kind = TEXTURE_AVERAGE, .textures = inner_entries, .texture_count = 2};
 	const TextureEntry entries[] = {{0, &average}, {1, &t[2]}};
-	Texture map = {.kind = TEXTURE_MAP, .pattern = along_x(), .textures = entries, .texture_count = 2};
+	Texture map = {
+		.kind = TEXTURE_MAP, .pattern = along_x(), .textures = entries, .texture_count = 2};
 	Transform attach = transform_translate(vec3(10, 0, 0));
 	SurfacePoint at = point(10.75);
 	Shading shading;
