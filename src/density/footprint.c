@@ -6,8 +6,8 @@
  * differentials (Schjøth et al. 2007) without tracing any. Density is the sum of flux times the
  * ellipses' normalised kernels over those that cover the gather point.
  *
- * The share is round in emitter space, with the area of a few photons at the local density of
- * emission. The ellipse has the covariance that the fitted map gives it: the linear part, and
+ * The share is round in emitter space, with the area of a dozen photons at the local density of
+ * emission, up to four times that where the map is straight. The ellipse has the covariance that the fitted map gives it: the linear part, and
  * that of the second-order part, which keeps it from vanishing at folds, where the first is
  * singular; the second-order part also moves its centre.
  *
@@ -60,12 +60,31 @@ static int compare_keys(const void *a, const void *b)
 	return (x->photon > y->photon) - (x->photon < y->photon);
 }
 
+/*
+ * Colours that glass has spread come by ways of their own: white light of neighbours in emitter space takes hues at random.
+ * So strongly coloured photons are told apart by hue, the rest is one kind.
+ */
+static unsigned kind_of_hue(Rgb flux)
+{
+	enum { HUES = 16 };
+	static const float least_saturation = 0.3f;
+	float most = rgb_max(flux), least = fminf(flux.r, fminf(flux.g, flux.b)), range = most - least;
+	if (!(range > least_saturation * most))
+		return 0;
+	float sixth = most == flux.r   ? (flux.g - flux.b) / range + 6
+	              : most == flux.g ? (flux.b - flux.r) / range + 2
+	                               : (flux.r - flux.g) / range + 4;
+	return 1 + (unsigned)(sixth * HUES / 6 + 0.5f) % HUES;
+}
+
 static Key *make_keys(const PhotonMap *map)
 {
 	Key *keys = memory_alloc(sizeof *keys * (map->count + 1));
 	for (uint32_t i = 0; i < map->count; i++) {
 		const Photon *p = &map->photons[i];
-		uint64_t kind = (uint64_t)p->light << 32 | (uint64_t)p->object << 16 | (uint64_t)p->path << 8 | p->edges;
+		uint64_t landed = (uint64_t)p->light << 16 | p->object;
+		uint64_t way = (uint64_t)p->path << 8 | p->edges;
+		uint64_t kind = landed << 24 | way << 8 | kind_of_hue(photon_flux(p));
 		keys[i] = (Key){kind, i};
 	}
 	qsort(keys, map->count, sizeof *keys, compare_keys);
@@ -126,18 +145,27 @@ static double nearest_variance(const Group *g, const Photon *p)
 	return variance_of_kernel * radius2;
 }
 
-static int take_samples(const Group *g, const Photon *p, const Neighbor *found, int count, double scale, FitSample *out)
+typedef struct NeighborList {
+	const Neighbor *found;
+	int count;
+	double scale;
+} NeighborList;
+
+/* The neighbours found, parameters multiplied by scale, without p itself and what lies across an
+ * edge. */
+static int take_samples(const Group *g, const Photon *p, NeighborList near, FitSample *out)
 {
 	Vec3 pu, pv, u, v;
 	int taken = 0;
 	parameter_frame(g->map, p, &pu, &pv);
 	vec3_frame(photon_normal(p), &u, &v);
-	for (int i = 0; i < count; i++) {
-		const Photon *q = &g->map->photons[g->keys[found[i].index].photon];
-		Vec3 d = vec3_sub(vec3_of(q->emitter), vec3_of(p->emitter)), x = vec3_sub(vec3_of(q->position), vec3_of(p->position));
+	for (int i = 0; i < near.count; i++) {
+		const Photon *q = &g->map->photons[g->keys[near.found[i].index].photon];
+		Vec3 d = vec3_scale(vec3_sub(vec3_of(q->emitter), vec3_of(p->emitter)), near.scale);
+		Vec3 x = vec3_sub(vec3_of(q->position), vec3_of(p->position));
 		if (q == p || vec3_dot(photon_normal(p), photon_normal(q)) < 0.5)
 			continue;
-		out[taken++] = (FitSample){{scale * vec3_dot(d, pu), scale * vec3_dot(d, pv)}, {vec3_dot(x, u), vec3_dot(x, v)}};
+		out[taken++] = (FitSample){{vec3_dot(d, pu), vec3_dot(d, pv)}, {vec3_dot(x, u), vec3_dot(x, v)}};
 	}
 	return taken;
 }
@@ -161,19 +189,41 @@ static int fit_neighbors(const Group *g, const Photon *p, FootprintFit *fit)
 {
 	Neighbor found[FIT_COUNT + 1 + 8 * TREE_SLACK];
 	FitSample samples[FIT_COUNT + 1];
-	NearestQuery query = {{p->emitter[0], p->emitter[1], p->emitter[2]}, INFINITY, FIT_COUNT + 1, NULL};
+	const float *e = p->emitter;
+	NearestQuery query = {{e[0], e[1], e[2]}, INFINITY, FIT_COUNT + 1, NULL};
 	int count = photon_tree_nearest(g->tree, &query, found);
 	double farthest = sqrt(photon_tree_farthest(found, count));
 	if (!(farthest > 0))
 		return 0;
-	int taken = take_samples(g, p, found, count, 1 / farthest, samples);
+	int taken = take_samples(g, p, (NeighborList){found, count, 1 / farthest}, samples);
 	return footprint_fit(samples, taken, fit) ? count - 1 : 0;
 }
 
-static void add_fitted(const Group *g, const FootprintFit *fit, int neighbors, double trust, Shape *shape)
+/*
+ * How much wider than the default a share may be, as a ratio of areas: where the map is nearly
+ * linear, density is even and only the photons' noise counts. The curved part's variance beside
+ * the linear part's across the ellipse grows as the area does and may reach a fiftieth: by trial,
+ * 0.005 to 0.08 differ little. So may what neighbours beyond a crease are away from the fit.
+ */
+static double growth_of(const FootprintFit *fit, const FootprintSpread *spread)
 {
-	double shrunk2 = g->pass * g->pass, share2 = g->share / neighbors; /* of the circle that holds the neighbours */
-	FootprintSpread spread = footprint_spread(fit, variance_of_kernel * share2 * shrunk2);
+	static const double most_growth = 4, allowed_curvature = 0.02;
+	Symmetric l = spread->linear;
+	double mean = 0.5 * (l.uu + l.vv), difference = 0.5 * (l.uu - l.vv);
+	double least = mean - sqrt(difference * difference + l.uv * l.uv);
+	double curvature = spread->curved.uu + spread->curved.vv + fit->misfit;
+	if (!(curvature * most_growth > allowed_curvature * least))
+		return most_growth;
+	return fmax(1, allowed_curvature * least / curvature);
+}
+
+static void add_fitted(const Group *g, const FootprintFit *fit, int neighbors, double trust,
+                       Shape *shape)
+{
+	double shrunk2 = g->pass * g->pass;
+	double share2 = g->share / neighbors; /* of the circle that holds the neighbours */
+	FootprintSpread spread = footprint_spread(fit, variance_of_kernel * share2);
+	spread = footprint_spread(fit, variance_of_kernel * share2 * growth_of(fit, &spread) * shrunk2);
 	shape->shift[0] = trust * spread.mean[0];
 	shape->shift[1] = trust * spread.mean[1];
 	shape->covariance = blend(spread.linear, trust, spread.curved, trust);
@@ -222,7 +272,8 @@ static Footprint make_footprint(const Photon *p, const Shape *shape, double leas
 	Symmetric c = shape->covariance;
 	double mean = 0.5 * (c.uu + c.vv), difference = 0.5 * (c.uu - c.vv);
 	double spread = sqrt(difference * difference + c.uv * c.uv), angle = 0.5 * atan2(c.uv, difference);
-	double most = fmax(mean + spread, least_variance), least = fmax(mean - spread, fmax(least_variance, 1e-6 * most));
+	double most = fmax(mean + spread, least_variance);
+	double least = fmax(mean - spread, fmax(least_variance, 1e-6 * most));
 	Vec3 along = vec3_mad(vec3_scale(u, cos(angle)), sin(angle), v);
 	Vec3 across = vec3_mad(vec3_scale(v, cos(angle)), -sin(angle), u);
 	double b = sqrt(most / variance_of_kernel), a = sqrt(least / variance_of_kernel);
@@ -237,10 +288,11 @@ static Footprint make_footprint(const Photon *p, const Shape *shape, double leas
 /* Along the normal as far as photons are accepted (gather.h). */
 static Box3 footprint_box(const Footprint *f, Vec3 normal)
 {
-	double a2 = f->least * f->least * f->least * f->least, b2 = f->most * f->most * f->most * f->most;
+	double a2 = pow(f->least, 4), b2 = pow(f->most, 4);
 	double extent[3], n[3] = {normal.x, normal.y, normal.z};
 	for (int k = 0; k < 3; k++)
-		extent[k] = sqrt(a2 * f->a[k] * f->a[k] + b2 * f->b[k] * f->b[k]) + 0.25 * f->most * fabs(n[k]);
+		extent[k] = sqrt(a2 * f->a[k] * f->a[k] + b2 * f->b[k] * f->b[k]) +
+		            0.25 * f->most * fabs(n[k]);
 	Vec3 at = vec3_of(f->at), e = vec3(extent[0], extent[1], extent[2]);
 	return (Box3){vec3_sub(at, e), vec3_add(at, e)};
 }
@@ -255,7 +307,8 @@ static FootprintMap *arrange(const Footprint *footprints, const Box3 *boxes, uin
 		ordered[i] = boxes[order[i]];
 	FootprintTree tree = footprint_tree_build(ordered, count);
 	size_t nodes = tree.levels > 0 ? tree.level_start[tree.levels - 1] + 1u : 0;
-	FootprintMap *f = memory_alloc(sizeof *f + sizeof(FootprintNode) * nodes + sizeof(Footprint) * count);
+	size_t size = sizeof(FootprintMap) + sizeof(FootprintNode) * nodes + sizeof(Footprint) * count;
+	FootprintMap *f = memory_alloc(size);
 	*f = (FootprintMap){.tree = tree, .count = count};
 	f->tree.nodes = (FootprintNode *)(f + 1);
 	f->footprints = (Footprint *)(f->tree.nodes + nodes);
@@ -268,8 +321,22 @@ static FootprintMap *arrange(const Footprint *footprints, const Box3 *boxes, uin
 	return f;
 }
 
-/* By trial (tests/bench/footprint_trial.c): 6 to 24 differ little. */
-static const double default_share = 12;
+/* By trial (tests/bench/footprint_trial.c). Where colours spread, more are wanted: each hue has
+ * its own few. */
+static const double default_share = 12, share_of_hue = 24;
+
+/* Whether the way of a group's photons spreads colours: tinted light has one hue or two. */
+static bool is_dispersed(const Key *keys, uint32_t count, uint32_t first)
+{
+	enum { LEAST_HUES = 5 };
+	uint32_t begin = first, end = first;
+	int hues = 1;
+	while (begin > 0 && keys[begin - 1].kind >> 8 == keys[first].kind >> 8)
+		begin--;
+	for (end = begin + 1; end < count && keys[end].kind >> 8 == keys[first].kind >> 8; end++)
+		hues += keys[end].kind != keys[end - 1].kind;
+	return hues >= LEAST_HUES;
+}
 
 static Shape *make_shapes(const EstimatorSetup *setup)
 {
@@ -277,13 +344,13 @@ static Shape *make_shapes(const EstimatorSetup *setup)
 	Key *keys = make_keys(map);
 	Group g = {.map = map, .reach = gather_reach(map, FALLBACK_COUNT), .pass = 1};
 	double scale = setup->method->scale > 0 ? setup->method->scale : 1;
-	g.share = default_share * scale * scale;
 	g.shapes = memory_alloc(sizeof *g.shapes * (map->count + 1));
 	/* The radius that a render without a word about it starts with holds fifty photons. */
 	if (setup->radius > 0 && map->spacing > 0)
 		g.pass = fmin(1, setup->radius / (map->spacing * sqrt(50 / M_PI)));
 	for (uint32_t first = 0; first < map->count; first += g.count) {
 		g.keys = keys + first;
+		g.share = scale * scale * (is_dispersed(keys, map->count, first) ? share_of_hue : default_share);
 		for (g.count = 1; first + g.count < map->count && g.keys[g.count].kind == g.keys->kind;)
 			g.count++;
 		set_group(&g);
@@ -338,7 +405,8 @@ static void add_footprint(void *data, uint32_t number)
 	double radius = sqrt(wide_most2);
 	if (!gather_accepts(task->point, photon, radius))
 		return;
-	gather_add(&g->sum, photon, kernel_value(KERNEL_EPANECHNIKOV, t2) / (sqrt(wide_least2) * radius));
+	double area = sqrt(wide_least2) * radius;
+	gather_add(&g->sum, photon, kernel_value(KERNEL_EPANECHNIKOV, t2) / area);
 	g->radius += radius;
 }
 
@@ -346,9 +414,11 @@ static void footprint_gather(const void *method, const GatherTask *task, GatherR
 {
 	Vec3 p = task->point->position;
 	double width = task->point->footprint, pixel2 = width * width / 12 / variance_of_kernel;
-	Gathering g = {.sum = {.task = task}, .map = method, .at = {(float)p.x, (float)p.y, (float)p.z}, .pixel2 = (float)pixel2};
+	Gathering g = {.sum = {.task = task}, .map = method, .pixel2 = (float)pixel2,
+	               .at = {(float)p.x, (float)p.y, (float)p.z}};
 	Vec3 reach = vec3_all(sqrt(pixel2));
-	footprint_tree_visit(&g.map->tree, (Box3){vec3_sub(p, reach), vec3_add(p, reach)}, add_footprint, &g);
+	Box3 box = {vec3_sub(p, reach), vec3_add(p, reach)};
+	footprint_tree_visit(&g.map->tree, box, add_footprint, &g);
 	gather_finish(&g.sum, g.sum.photons > 0 ? g.radius / g.sum.photons : 0, result);
 }
 

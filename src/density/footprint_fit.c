@@ -104,7 +104,7 @@ static void weigh(const FitSample *samples, const double *distance2, int count, 
 }
 
 static void set_residuals(const FitSample *samples, int count, double solution[2][TERMS],
-			  double residuals[][2], double *residual2)
+                          double residuals[][2], double *residual2)
 {
 	for (int s = 0; s < count; s++) {
 		double terms[TERMS];
@@ -114,37 +114,35 @@ static void set_residuals(const FitSample *samples, int count, double solution[2
 			for (int i = 0; i < TERMS; i++)
 				residuals[s][k] -= solution[k][i] * terms[i];
 		}
-		residual2[s] = residuals[s][0] * residuals[s][0] +
-			       residuals[s][1] * residuals[s][1];
+		residual2[s] = residuals[s][0] * residuals[s][0] + residuals[s][1] * residuals[s][1];
 	}
 }
 
 static void finish(const FitSample *samples, const double *weights, int count,
-		   double residuals[][2], FootprintFit *fit)
+                   double residuals[][2], FootprintFit *fit)
 {
-	double total = 0, all = 0;
+	double total = 0, all = 0, misfit = 0;
 	Symmetric r = {0, 0, 0};
 	for (int s = 0; s < count; s++) {
 		const double *x = samples[s].x, *e = residuals[s], w = weights[s];
 		total += w;
+		misfit += e[0] * e[0] + e[1] * e[1];
 		all += w * (x[0] * x[0] + x[1] * x[1]);
-		r = (Symmetric){r.uu + w * e[0] * e[0], r.uv + w * e[0] * e[1],
-				r.vv + w * e[1] * e[1]};
+		r = (Symmetric){r.uu + w * e[0] * e[0], r.uv + w * e[0] * e[1], r.vv + w * e[1] * e[1]};
 	}
 	fit->residual = (Symmetric){r.uu / total, r.uv / total, r.vv / total};
+	fit->misfit = misfit / count;
 	fit->roughness = all > 0 ? fmin(1, (r.uu + r.vv) / all) : 0;
 }
 
 bool footprint_fit(const FitSample *samples, int count, FootprintFit *fit)
 {
-	double weights[FIT_MOST_SAMPLES], distance2[FIT_MOST_SAMPLES],
-		residuals[FIT_MOST_SAMPLES][2];
+	double weights[FIT_MOST_SAMPLES], distance2[FIT_MOST_SAMPLES], residuals[FIT_MOST_SAMPLES][2];
 	Equations e;
 	if (count < LEAST_SAMPLES || count > FIT_MOST_SAMPLES)
 		return false;
 	for (int s = 0; s < count; s++)
-		distance2[s] = samples[s].x[0] * samples[s].x[0] +
-			       samples[s].x[1] * samples[s].x[1];
+		distance2[s] = samples[s].x[0] * samples[s].x[0] + samples[s].x[1] * samples[s].x[1];
 	for (int round = 0; round < ROUNDS; round++) {
 		weigh(samples, distance2, count, weights);
 		make_equations(samples, weights, count, &e);
@@ -176,9 +174,9 @@ FootprintSpread footprint_spread(const FootprintFit *fit, double s2)
 	return (FootprintSpread){
 		.mean = {0.5 * s2 * (h[0].uu + h[0].vv), 0.5 * s2 * (h[1].uu + h[1].vv)},
 		.linear = {s2 * (j[0][0] * j[0][0] + j[0][1] * j[0][1]),
-			   s2 * (j[0][0] * j[1][0] + j[0][1] * j[1][1]),
-			   s2 * (j[1][0] * j[1][0] + j[1][1] * j[1][1])},
+		           s2 * (j[0][0] * j[1][0] + j[0][1] * j[1][1]),
+		           s2 * (j[1][0] * j[1][0] + j[1][1] * j[1][1])},
 		.curved = {s4 * product_trace(h[0], h[0]), s4 * product_trace(h[0], h[1]),
-			   s4 * product_trace(h[1], h[1])},
+		           s4 * product_trace(h[1], h[1])},
 	};
 }

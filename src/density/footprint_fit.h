@@ -15,8 +15,7 @@
 typedef struct Symmetric { double uu, uv, vv; } Symmetric;
 
 typedef struct FitSample {
-	double d[2]; /* in the parameters, relative to the photon, the farthest neighbour about 1
-			away */
+	double d[2]; /* in the parameters, relative to the photon, up to about 1 */
 	double x[2]; /* on the surface, relative to the photon */
 } FitSample;
 
@@ -24,6 +23,7 @@ typedef struct FootprintFit {
 	double jacobian[2][2]; /* of coordinate i by parameter j */
 	Symmetric hessian[2];  /* of coordinate i */
 	Symmetric residual;    /* mean square of what the fit leaves */
+	double misfit;         /* mean square residual with every sample counting alike */
 	double roughness;      /* residual's share of the samples' mean square, 0..1 */
 } FootprintFit;
 

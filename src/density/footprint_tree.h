@@ -18,8 +18,8 @@ typedef struct FootprintNode { float lo[3][8], hi[3][8]; } FootprintNode;
 
 typedef struct FootprintTree {
 	FootprintNode *nodes;
-	uint32_t level_start[FOOTPRINT_LEVELS],
-		level_count[FOOTPRINT_LEVELS]; /* from the lowest: nodes of each level */
+	/* Nodes of each level, from the lowest. */
+	uint32_t level_start[FOOTPRINT_LEVELS], level_count[FOOTPRINT_LEVELS];
 	int levels;
 } FootprintTree;
 
