@@ -75,3 +75,8 @@ references: cognac$(EXEEXT) cognac-compare$(EXEEXT)
 EXTRA_PROGRAMS += tests/bench/footprint_trial
 tests_bench_footprint_trial_SOURCES = tests/bench/footprint_trial.c
 tests_bench_footprint_trial_LDADD = libdensity.a libphoton.a libscene.a libbase.a
+EXTRA_DIST += tests/bench/footprint.sh
+bench-footprint: cognac$(EXEEXT) cognac-compare$(EXEEXT) tests/bench/footprint_trial$(EXEEXT)
+	COGNAC=$(abs_builddir)/cognac COMPARE=$(abs_builddir)/cognac-compare SOURCES=$(abs_srcdir) \
+		TRIAL=tests/bench/footprint_trial sh $(srcdir)/tests/bench/footprint.sh footprint-bench $(BENCH_PASSES)
+.PHONY: bench-footprint

@@ -29,7 +29,7 @@ static void print_usage(void)
 	      "      --stats FILE.json     write statistics\n"
 	      "      --threads N           use N threads\n"
 	      "      --update SECONDS      rewrite the picture so far that often\n"
-	      "      --estimator NAME      of photon density: povray, nearest, diffusion\n"
+	      "      --estimator NAME      of photon density: povray, nearest, diffusion, footprint\n"
 	      "      --photons FILE.ply, --load-photons FILE.ply   write or read the photons\n"
 	      "      --passes N            progressive photon passes\n"
 	      "      --help, --version\n",

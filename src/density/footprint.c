@@ -129,7 +129,7 @@ static void parameter_frame(const PhotonMap *map, const Photon *p, Vec3 *u, Vec3
 }
 
 /* Neighbours in emitter space that the map is fitted to, and on the surface where none fits. */
-enum { FIT_COUNT = 16, FALLBACK_COUNT = 24 };
+enum { FIT_COUNT = 24, FALLBACK_COUNT = 24 };
 
 /* The kernel's variance along an axis over that axis' square. */
 static const double variance_of_kernel = 1.0 / 6;
@@ -207,7 +207,7 @@ static int fit_neighbors(const Group *g, const Photon *p, FootprintFit *fit)
  */
 static double growth_of(const FootprintFit *fit, const FootprintSpread *spread)
 {
-	static const double most_growth = 4, allowed_curvature = 0.02;
+	static const double most_growth = 3, allowed_curvature = 0.02;
 	Symmetric l = spread->linear;
 	double mean = 0.5 * (l.uu + l.vv), difference = 0.5 * (l.uu - l.vv);
 	double least = mean - sqrt(difference * difference + l.uv * l.uv);
