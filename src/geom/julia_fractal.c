@@ -11,6 +11,7 @@
 #include "geom/julia_fractal.h"
 
 #include <complex.h>
+#include <float.h>
 
 #include "geom/sphere.h"
 
@@ -134,14 +135,14 @@ static Vec4 quaternion_slope(const JuliaFractal *julia, Vec4 q, Vec4 v)
 /* Distance to the set, 0 inside. */
 static double quaternion_distance(const JuliaFractal *julia, Vec4 q)
 {
-	double growth = 1, r2 = length2(q);
+	double growth2 = 1, r2 = length2(q);
 	bool cube = julia->desc.function == JULIA_CUBE;
 	for (int i = 0; i < julia->iterations; i++) {
-		growth *= cube ? 3 * r2 : 2 * sqrt(r2);
+		growth2 *= cube ? 9 * r2 * r2 : 4 * r2;
 		q = quaternion_next(julia, q);
 		r2 = length2(q);
 		if (r2 > ESCAPE)
-			return 0.25 * sqrt(r2) * log(r2) / growth;
+			return fmax(DBL_MIN, 0.25 * log(r2) * sqrt(r2 / growth2));
 	}
 	return 0;
 }

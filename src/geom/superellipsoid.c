@@ -7,6 +7,8 @@
  */
 #include "geom/superellipsoid.h"
 
+#include <limits.h>
+
 #include "geom/box.h"
 
 enum { NEWTON_STEPS = 60, PINCHED_SAMPLES = 10, KINK_PLANES = 5 };
@@ -18,6 +20,9 @@ typedef struct Superellipsoid {
 
 /* Smaller exponents differ from a box by less than can be seen. */
 static const double LEAST_EXPONENT = 1e-4;
+
+/* What the rounding of a norm may be. */
+static const double RANGE_ROUNDING = 1e-12;
 
 const void *superellipsoid_create(Arena *arena, double e, double n)
 {
@@ -62,6 +67,34 @@ static double gauge(const Superellipsoid *shape, Vec3 p, Vec3 *gradient)
 	return value;
 }
 
+typedef struct Range {
+	double least, most;
+} Range;
+
+/* The pair's norm lies between those of the powers around it: the larger one, Pythagoras' and the sum. */
+static Range pair_range(Range a, double b, double exponent)
+{
+	double larger = a.least > b ? a.least : b;
+	if (exponent > 2)
+		return (Range){a.least + b, INFINITY};
+	if (exponent > 1)
+		return (Range){sqrt(a.least * a.least + b * b), a.most + b};
+	return (Range){larger, sqrt(a.most * a.most + b * b)};
+}
+
+/* Most points need no power to be told from each other. */
+static bool is_inside(const Superellipsoid *shape, Vec3 p)
+{
+	double x = fabs(p.x);
+	Range range = pair_range(pair_range((Range){x, x}, fabs(p.y), shape->e), fabs(p.z), shape->n);
+	if (range.least > 1 + RANGE_ROUNDING)
+		return false;
+	if (range.most < 1 - RANGE_ROUNDING)
+		return true;
+	Vec3 gradient;
+	return gauge(shape, p, &gradient) < 1;
+}
+
 /* Newton from the side of t; direction +1 walks up, -1 down. False when the line passes by. */
 static bool newton_from(const Superellipsoid *shape, const Ray *ray, double *t, double direction)
 {
@@ -97,10 +130,9 @@ static double gauge_along(const Superellipsoid *shape, const Ray *ray, double t)
 
 /* The crossing between two places with values of different sign: the Illinois form of the secant
  * method. */
-static double refine(const Superellipsoid *shape, const Ray *ray, const double t[2],
-                     const double values[2])
+static double refine(const Superellipsoid *shape, const Ray *ray, const double t[2], double at_a, double at_b)
 {
-	double a = t[0], b = t[1], at_a = values[0], at_b = values[1];
+	double a = t[0], b = t[1];
 	for (int i = 0; i < NEWTON_STEPS && fabs(b - a) > 1e-13 * fabs(b); i++) {
 		double next = b - at_b * (b - a) / (at_b - at_a);
 		double value = gauge_along(shape, ray, next);
@@ -137,27 +169,39 @@ static int kinks_between(const Ray *ray, const double t[2], double ends[KINK_PLA
 	return count;
 }
 
-static void cross_pinched(const Shape *self, const Ray *ray, const double t[2], HitList *out)
+/* The crossing in an interval whose ends lie on two sides; the first interval starts outside,
+ * whatever the gauge is there. */
+static double refine_change(const Superellipsoid *shape, const Ray *ray, const double t[2], bool first)
+{
+	return refine(shape, ray, t, first ? 1 : gauge_along(shape, ray, t[0]), gauge_along(shape, ray, t[1]));
+}
+
+/* Crossings in rising order, at most `most`. */
+static void cross_pinched(const Shape *self, const Ray *ray, const double t[2], int most, HitList *out)
 {
 	const Superellipsoid *shape = self->data;
-	double ends[KINK_PLANES + 1], last = t[0], before = t[0], value_before = 1;
+	double ends[KINK_PLANES + 1], last = t[0], before = t[0];
+	bool was_inside = false;
 	int count = kinks_between(ray, t, ends);
 	for (int i = 0; i < count; last = ends[i++]) {
 		double step = (ends[i] - last) / PINCHED_SAMPLES;
 		for (int k = 1; k <= PINCHED_SAMPLES; k++) {
 			double at = k < PINCHED_SAMPLES ? last + k * step : ends[i];
-			double value = gauge_along(shape, ray, at);
-			if ((value > 0) != (value_before > 0)) {
-				double places[] = {before, at}, values[] = {value_before, value};
-				hit_list_add(out, ray, self, refine(shape, ray, places, values), 0);
+			bool inside = is_inside(shape, ray_at(ray, at));
+			if (inside != was_inside) {
+				double places[] = {before, at};
+				hit_list_add(out, ray, self, refine_change(shape, ray, places, before == t[0]), 0);
+				if (out->count >= most)
+					return;
 			}
 			before = at;
-			value_before = value;
+			was_inside = inside;
 		}
 	}
 }
 
-static void superellipsoid_intersect(const Shape *self, const Ray *ray, HitList *out)
+/* Crossings in rising order until the list has `most`. */
+static void superellipsoid_cross(const Shape *self, const Ray *ray, int most, HitList *out)
 {
 	const Superellipsoid *shape = self->data;
 	double t[2];
@@ -165,7 +209,7 @@ static void superellipsoid_intersect(const Shape *self, const Ray *ray, HitList 
 	if (!box_cross((Box3){vec3_all(-1), vec3_all(1)}, ray, t, faces) || t[1] < ray->tmin || t[0] > ray->tmax)
 		return;
 	if (!shape->convex) {
-		cross_pinched(self, ray, t, out);
+		cross_pinched(self, ray, t, most, out);
 		return;
 	}
 	int count = cross_convex(shape, ray, t);
@@ -173,10 +217,26 @@ static void superellipsoid_intersect(const Shape *self, const Ray *ray, HitList 
 		hit_list_add(out, ray, self, t[i], 0);
 }
 
+static void superellipsoid_intersect(const Shape *self, const Ray *ray, HitList *out)
+{
+	superellipsoid_cross(self, ray, INT_MAX, out);
+}
+
+static bool superellipsoid_nearest(const Shape *self, const Ray *ray, Hit *out)
+{
+	HitList list;
+	hit_list_init(&list);
+	superellipsoid_cross(self, ray, 1, &list);
+	bool found = list.count > 0;
+	if (found)
+		*out = list.hits[0];
+	hit_list_free(&list);
+	return found;
+}
+
 static bool superellipsoid_inside(const void *data, Vec3 p)
 {
-	Vec3 gradient;
-	return gauge(data, p, &gradient) < 1;
+	return is_inside(data, p);
 }
 
 static Vec3 superellipsoid_normal(const void *data, const Hit *hit, Vec3 p)
@@ -193,4 +253,5 @@ const ShapeClass superellipsoid_class = {
 	.intersect = superellipsoid_intersect,
 	.inside = superellipsoid_inside,
 	.normal = superellipsoid_normal,
+	.nearest = superellipsoid_nearest,
 };
