@@ -101,11 +101,6 @@ static const ShadingStack *choose_stack(Path *path, const Shading *shading)
 	return &shading->stacks[shading->stack_count - 1];
 }
 
-static bool disperses(const Interior *interior)
-{
-	return interior && interior->dispersion != 1 && interior->dispersion > 0;
-}
-
 static double hue_of(const PhotonTraceOptions *options, uint64_t number)
 {
 	double hue = random_halton(number + 1, DIMENSION_HUE) +
@@ -116,7 +111,7 @@ static double hue_of(const PhotonTraceOptions *options, uint64_t number)
 /* White light that meets glass which bends colours differently becomes light of one hue. */
 static void settle_hue(Path *path, const Surface *surface)
 {
-	if (path->colored || !disperses(surface->interior))
+	if (path->colored || !interior_disperses(surface->interior))
 		return;
 	path->colored = true;
 	path->hue = hue_of(path->options, path->number);

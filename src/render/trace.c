@@ -73,6 +73,8 @@ static void next_ray(const PathRay *path, const ShadePoint *point, const BsdfEve
 	next->level = path->level + (event->kind == BSDF_REFLECT || event->bent);
 	next->depth = path->depth + 1;
 	next->distance = path->distance + point->hit->t;
+	next->hue = path->hue;
+	next->colored = path->colored;
 	next->reflected = path->reflected || event->kind == BSDF_REFLECT || event->total;
 }
 
@@ -96,6 +98,46 @@ static void follow_event(Tracer *tracer, const PathRay *path, const ShadePoint *
 	if (event->kind == BSDF_REFLECT)
 		seen.transmit = 0;
 	seen_add(sum, seen, event->weight);
+}
+
+/* ---- dispersion: a passage for each of the spectrum's samples, which together are white ---- */
+
+enum { FEWEST_HUES = 2, MOST_HUES = 1000 };
+
+static int hue_count(const Interior *interior)
+{
+	int count = interior->dispersion_samples;
+	return count < FEWEST_HUES ? FEWEST_HUES : count > MOST_HUES ? MOST_HUES : count;
+}
+
+static Rgb hue_share(int i, int count)
+{
+	Rgb total = {0, 0, 0}, own = interior_hue_color((i + 0.5) / count);
+	for (int k = 0; k < count; k++)
+		total = rgb_add(total, interior_hue_color((k + 0.5) / count));
+	return rgb(own.r / total.r, own.g / total.g, own.b / total.b);
+}
+
+static void follow_hues(Tracer *tracer, const PathRay *path, const ShadePoint *point,
+			const Bsdf *white, Seen *sum)
+{
+	int hues = hue_count(point->surface->interior);
+	for (int i = 0; i < hues; i++) {
+		PathRay colored = *path;
+		BsdfEvent events[BSDF_MAX_EVENTS];
+		Bsdf bsdf = *white;
+		Rgb share = hue_share(i, hues);
+		colored.colored = true;
+		colored.hue = (i + 0.5) / hues;
+		bsdf.ior = inside_ratio_of_hue(&path->inside, point->surface, colored.hue);
+		int count = bsdf_events(&bsdf, TRANSPORT_RADIANCE, events);
+		for (int k = 0; k < count; k++) {
+			if (events[k].kind == BSDF_REFLECT)
+				continue;
+			events[k].weight = rgb_mul(events[k].weight, share);
+			follow_event(tracer, &colored, point, &events[k], sum);
+		}
+	}
 }
 
 /* ---- one surface ---- */
@@ -146,7 +188,7 @@ static Seen shade_stack(Tracer *tracer, const PathRay *path, const Shaded *shade
 		.from = vec3_neg(path->ray.direction),
 		.geometric = point->at.normal,
 		.world = point->at.world,
-		.ior = inside_ratio(&path->inside, point->surface),
+		.ior = inside_ratio_of_hue(&path->inside, point->surface, path->hue),
 		.both_sides = point->surface->double_illuminate,
 		.legacy = tracer->legacy,
 		.irid_wavelength = tracer->scene->settings.irid_wavelength,
@@ -169,8 +211,12 @@ static Seen shade_stack(Tracer *tracer, const PathRay *path, const Shaded *shade
 		return sum;
 	BsdfEvent events[BSDF_MAX_EVENTS];
 	int count = bsdf_events(&bsdf, TRANSPORT_RADIANCE, events);
+	bool parted = !path->colored && interior_disperses(point->surface->interior);
 	for (int i = 0; i < count; i++)
-		follow_event(tracer, path, point, &events[i], &sum);
+		if (!parted || events[i].kind == BSDF_REFLECT)
+			follow_event(tracer, path, point, &events[i], &sum);
+	if (parted)
+		follow_hues(tracer, path, point, &bsdf, &sum);
 	return sum;
 }
 
@@ -255,7 +301,7 @@ Seen trace_eye(Tracer *tracer, const Ray *ray, FirstHit *first)
 {
 	if (memcmp(&tracer->eye_place, &ray->origin, sizeof ray->origin) != 0)
 		find_eye(tracer, ray->origin);
-	PathRay path = {.ray = *ray, .weight = 1};
+	PathRay path = {.ray = *ray, .weight = 1, .hue = 0.5};
 	inside_copy(&path.inside, &tracer->eye);
 	tracer->statistics.eye_rays++;
 	return trace_ray(tracer, &path, first);

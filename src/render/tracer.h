@@ -48,6 +48,8 @@ typedef struct PathRay {
 	int depth;               /* crossings of any kind so far */
 	bool reflected;          /* for no_image and no_reflection */
 	double distance;         /* from the eye to the ray's start, along the path */
+	double hue;              /* 0 red .. 1 violet, once dispersion has parted the light */
+	bool colored;            /* it has; else hue is 0.5 */
 	InsideStack inside;
 } PathRay;
 

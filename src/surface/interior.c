@@ -9,6 +9,11 @@ Interior interior_default(void)
 	return (Interior){.ior = 1, .dispersion = 1, .dispersion_samples = 7};
 }
 
+bool interior_disperses(const Interior *interior)
+{
+	return interior && interior->dispersion != 1 && interior->dispersion > 0;
+}
+
 double interior_ior(const Interior *interior, double hue)
 {
 	double ior = interior->ior > 0 ? interior->ior : 1;

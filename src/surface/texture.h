@@ -180,6 +180,8 @@ Interior interior_default(void);
 /* The index of refraction for a hue: 0 red, 1 violet, 0.5 the scene's own number. dispersion is
  * violet's over red's. */
 double interior_ior(const Interior *interior, double hue);
+/* Whether its index depends on the hue; NULL is allowed. */
+bool interior_disperses(const Interior *interior);
 /* The colour of a hue, such that hues evenly spread over [0, 1] make white. */
 Rgb interior_hue_color(double hue);
 
