@@ -140,18 +140,20 @@ static void cross_half(const Shape *self, const Ray *ray, int part, HitList *out
 typedef struct Walk {
 	const Shape *self;
 	const HeightField *field;
-	const Ray *ray;
+	Ray ray;
 	Vec3 inverse; /* of the direction */
+	int first; /* of four blocks the one that the ray meets first: bit 0 for x, bit 1 for z */
+	bool nearest; /* the first crossing is enough: it ends the ray, and out holds only it */
 	HitList *out;
 } Walk;
 
+/* Comparisons pass over the NaN of a ray in the slab's face. */
 static bool meets_slab(double lo, double hi, double origin, double inverse, double range[2])
 {
 	double a = (lo - origin) * inverse, b = (hi - origin) * inverse;
-	range[0] = fmax(
-		range[0],
-		fmin(a, b)); /* fmax and fmin pass over the NaN of a ray in the slab's face */
-	range[1] = fmin(range[1], fmax(a, b));
+	double near = a < b ? a : b, far = a < b ? b : a;
+	range[0] = near > range[0] ? near : range[0];
+	range[1] = far < range[1] ? far : range[1];
 	return range[0] <= range[1] + 1e-12 * fabs(range[1]);
 }
 
@@ -162,42 +164,77 @@ static bool meets_block(const Walk *walk, int level, int x, int z)
 	size_t i = (size_t)z * (size_t)l->width + (size_t)x;
 	if (l->high[i] < field->floor)
 		return false;
-	double range[2] = {walk->ray->tmin, walk->ray->tmax};
+	double range[2] = {walk->ray.tmin, walk->ray.tmax};
 	double cell_x = 1.0 / (field->desc.width - 1), cell_z = 1.0 / (field->desc.depth - 1);
-	double x0 = (double)((long)x << level),
-	       x1 = fmin(field->desc.width - 1, (double)((long)(x + 1) << level));
-	double z0 = (double)((long)z << level),
-	       z1 = fmin(field->desc.depth - 1, (double)((long)(z + 1) << level));
+	double size = (double)(1L << level), x0 = (double)x * size, z0 = (double)z * size;
 	double slack = 1e-6 * cell_x;
-	Vec3 o = walk->ray->origin, inverse = walk->inverse;
-	return meets_slab(x0 * cell_x - slack, x1 * cell_x + slack, o.x, inverse.x, range) &&
-	       meets_slab(z0 * cell_z - slack, z1 * cell_z + slack, o.z, inverse.z, range) &&
-	       meets_slab(l->low[i] - 1e-7, l->high[i] + 1e-7, o.y, inverse.y, range);
+	Vec3 o = walk->ray.origin, inverse = walk->inverse;
+	return meets_slab(l->low[i] - 1e-7, l->high[i] + 1e-7, o.y, inverse.y, range) &&
+	       meets_slab(x0 * cell_x - slack, (x0 + size) * cell_x + slack, o.x, inverse.x,
+			  range) &&
+	       meets_slab(z0 * cell_z - slack, (z0 + size) * cell_z + slack, o.z, inverse.z, range);
 }
 
-static void walk_block(const Walk *walk, int level, int x, int z)
+static void cross_cell(Walk *walk, int x, int z)
+{
+	HitList *out = walk->out;
+	int cell = z * walk->field->levels[0].width + x;
+	for (int half = 0; half < 2; half++) {
+		cross_half(walk->self, &walk->ray, 2 * cell + half, out);
+		if (!walk->nearest || out->count == 0)
+			continue;
+		out->hits[0] = out->hits[out->count - 1];
+		out->count = 1;
+		walk->ray.tmax = out->hits[0].t;
+	}
+}
+
+static void walk_block(Walk *walk, int level, int x, int z)
 {
 	if (!meets_block(walk, level, x, z))
 		return;
 	if (level == 0) {
-		int cell = z * walk->field->levels[0].width + x;
-		cross_half(walk->self, walk->ray, 2 * cell, walk->out);
-		cross_half(walk->self, walk->ray, 2 * cell + 1, walk->out);
+		cross_cell(walk, x, z);
 		return;
 	}
 	const Level *fine = &walk->field->levels[level - 1];
 	for (int k = 0; k < 4; k++) {
-		int fx = 2 * x + (k & 1), fz = 2 * z + (k >> 1);
+		int part = k ^ walk->first, fx = 2 * x + (part & 1), fz = 2 * z + (part >> 1);
 		if (fx < fine->width && fz < fine->depth)
 			walk_block(walk, level - 1, fx, fz);
 	}
 }
 
-static void height_field_intersect(const Shape *self, const Ray *ray, HitList *out)
+static void height_field_cross(const Shape *self, const Ray *ray, bool nearest, HitList *out)
 {
 	Vec3 d = ray->direction;
-	Walk walk = {self, self->data, ray, vec3(1 / d.x, 1 / d.y, 1 / d.z), out};
+	Walk walk = {
+		.self = self,
+		.field = self->data,
+		.ray = *ray,
+		.inverse = vec3(1 / d.x, 1 / d.y, 1 / d.z),
+		.first = (d.x < 0 ? 1 : 0) | (d.z < 0 ? 2 : 0),
+		.nearest = nearest,
+		.out = out,
+	};
 	walk_block(&walk, walk.field->level_count - 1, 0, 0);
+}
+
+static void height_field_intersect(const Shape *self, const Ray *ray, HitList *out)
+{
+	height_field_cross(self, ray, false, out);
+}
+
+static bool height_field_nearest(const Shape *self, const Ray *ray, Hit *out)
+{
+	HitList list;
+	hit_list_init(&list);
+	height_field_cross(self, ray, true, &list);
+	bool found = list.count > 0;
+	if (found)
+		*out = list.hits[0];
+	hit_list_free(&list);
+	return found;
 }
 
 /* The cell under (x, z) and where in it; false outside the unit square. */
@@ -269,6 +306,7 @@ const ShapeClass height_field_class = {
 	.name = "height_field",
 	.bounds = height_field_bounds,
 	.intersect = height_field_intersect,
+	.nearest = height_field_nearest,
 	.inside = height_field_inside,
 	.normal = height_field_normal,
 	.uv = height_field_uv,
@@ -278,6 +316,7 @@ const ShapeClass smooth_height_field_class = {
 	.name = "height_field",
 	.bounds = height_field_bounds,
 	.intersect = height_field_intersect,
+	.nearest = height_field_nearest,
 	.inside = height_field_inside,
 	.normal = height_field_normal,
 	.uv = height_field_uv,

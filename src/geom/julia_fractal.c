@@ -60,11 +60,13 @@ const void *julia_create(Arena *arena, const JuliaDesc *desc, const char **error
 		return NULL;
 	}
 	julia->desc = *desc;
-	julia->parameter = (Vec4){desc->parameter[0], desc->parameter[1], desc->parameter[2], desc->parameter[3]};
+	julia->parameter = (Vec4){desc->parameter[0], desc->parameter[1], desc->parameter[2],
+				  desc->parameter[3]};
 	Vec4 p = julia->parameter;
 	julia->pair = (Pair){CMPLX(p.x - p.w, p.y + p.z), CMPLX(p.x + p.w, p.y - p.z)};
 	julia->tilt = vec3(-n[0] / n[3], -n[1] / n[3], -n[2] / n[3]);
-	julia->offset = desc->slice_distance * sqrt(n[0] * n[0] + n[1] * n[1] + n[2] * n[2] + n[3] * n[3]) / n[3];
+	julia->offset = desc->slice_distance *
+			sqrt(n[0] * n[0] + n[1] * n[1] + n[2] * n[2] + n[3] * n[3]) / n[3];
 	julia->least = 1 / fmax(1, desc->precision);
 	/* POV-Ray's images show that the point itself counts as the first hypercomplex number,
 	 * but not as the first quaternion. */
@@ -95,8 +97,10 @@ static double length2(Vec4 q)
 
 static Vec4 multiply(Vec4 p, Vec4 q)
 {
-	return (Vec4){p.x * q.x - p.y * q.y - p.z * q.z - p.w * q.w, p.x * q.y + p.y * q.x + p.z * q.w - p.w * q.z,
-	              p.x * q.z - p.y * q.w + p.z * q.x + p.w * q.y, p.x * q.w + p.y * q.z - p.z * q.y + p.w * q.x};
+	return (Vec4){p.x * q.x - p.y * q.y - p.z * q.z - p.w * q.w,
+		      p.x * q.y + p.y * q.x + p.z * q.w - p.w * q.z,
+		      p.x * q.z - p.y * q.w + p.z * q.x + p.w * q.y,
+		      p.x * q.w + p.y * q.z - p.z * q.y + p.w * q.x};
 }
 
 static Vec4 add(Vec4 p, Vec4 q)
@@ -106,7 +110,8 @@ static Vec4 add(Vec4 p, Vec4 q)
 
 static Vec4 square(Vec4 q)
 {
-	return (Vec4){q.x * q.x - q.y * q.y - q.z * q.z - q.w * q.w, 2 * q.x * q.y, 2 * q.x * q.z, 2 * q.x * q.w};
+	return (Vec4){q.x * q.x - q.y * q.y - q.z * q.z - q.w * q.w, 2 * q.x * q.y, 2 * q.x * q.z,
+		      2 * q.x * q.w};
 }
 
 static Vec4 quaternion_next(const JuliaFractal *julia, Vec4 q)
@@ -120,8 +125,9 @@ static Vec4 quaternion_next(const JuliaFractal *julia, Vec4 q)
 /* The derivative of q^2 along v: q v + v q. */
 static Vec4 square_slope(Vec4 q, Vec4 v)
 {
-	return (Vec4){2 * (q.x * v.x - q.y * v.y - q.z * v.z - q.w * v.w), 2 * (q.x * v.y + q.y * v.x),
-	              2 * (q.x * v.z + q.z * v.x), 2 * (q.x * v.w + q.w * v.x)};
+	return (Vec4){2 * (q.x * v.x - q.y * v.y - q.z * v.z - q.w * v.w),
+		      2 * (q.x * v.y + q.y * v.x), 2 * (q.x * v.z + q.z * v.x),
+		      2 * (q.x * v.w + q.w * v.x)};
 }
 
 static Vec4 quaternion_slope(const JuliaFractal *julia, Vec4 q, Vec4 v)
@@ -154,7 +160,8 @@ static double dot(Vec4 p, Vec4 q)
 
 static Vec3 quaternion_gradient(const JuliaFractal *julia, Vec4 q)
 {
-	Vec4 x = {1, 0, 0, julia->tilt.x}, y = {0, 1, 0, julia->tilt.y}, z = {0, 0, 1, julia->tilt.z};
+	Vec4 x = {1, 0, 0, julia->tilt.x}, y = {0, 1, 0, julia->tilt.y},
+	     z = {0, 0, 1, julia->tilt.z};
 	for (int i = 0; i < julia->iterations && length2(q) <= FAR; i++) {
 		x = quaternion_slope(julia, q, x);
 		y = quaternion_slope(julia, q, y);
@@ -229,7 +236,8 @@ static double complex julia_derivative(const JuliaDesc *desc, double complex c)
 
 static Pair pair_next(const JuliaFractal *julia, Pair h)
 {
-	return (Pair){julia_function(&julia->desc, h.a) + julia->pair.a, julia_function(&julia->desc, h.b) + julia->pair.b};
+	return (Pair){julia_function(&julia->desc, h.a) + julia->pair.a,
+		      julia_function(&julia->desc, h.b) + julia->pair.b};
 }
 
 /* Squared length of the four numbers. */
@@ -274,7 +282,8 @@ static Vec3 hypercomplex_gradient(const JuliaFractal *julia, Vec4 q)
 static double julia_distance(const JuliaFractal *julia, Vec3 p)
 {
 	Vec4 q = into_slice(julia, p);
-	return julia->desc.hypercomplex ? hypercomplex_distance(julia, q) : quaternion_distance(julia, q);
+	return julia->desc.hypercomplex ? hypercomplex_distance(julia, q)
+					: quaternion_distance(julia, q);
 }
 
 static bool julia_inside(const void *data, Vec3 p)
@@ -310,7 +319,8 @@ static void julia_cross(const Shape *self, const Ray *ray, int most, HitList *ou
 		double distance = julia_distance(julia, ray_at(ray, at));
 		bool inside = distance == 0;
 		if (inside != was_inside) {
-			double crossing = julia_bisect(julia, ray, inside ? last : at, inside ? at : last);
+			double crossing =
+				julia_bisect(julia, ray, inside ? last : at, inside ? at : last);
 			hit_list_add(out, ray, self, crossing, 0);
 			most--;
 		}
@@ -342,7 +352,8 @@ static Vec3 julia_normal(const void *data, const Hit *hit, Vec3 p)
 	const JuliaFractal *julia = data;
 	(void)hit;
 	Vec4 q = into_slice(julia, p);
-	Vec3 n = julia->desc.hypercomplex ? hypercomplex_gradient(julia, q) : quaternion_gradient(julia, q);
+	Vec3 n = julia->desc.hypercomplex ? hypercomplex_gradient(julia, q)
+					  : quaternion_gradient(julia, q);
 	return vec3_is_finite(n) && vec3_length2(n) > 0 ? n : p;
 }
 

@@ -63,7 +63,8 @@ static double gauge(const Superellipsoid *shape, Vec3 p, Vec3 *gradient)
 	double across[2], both[2];
 	double rho = pair_norm(fabs(p.x), fabs(p.y), shape->e, across);
 	double value = pair_norm(rho, fabs(p.z), shape->n, both);
-	*gradient = vec3(copysign(both[0] * across[0], p.x), copysign(both[0] * across[1], p.y), copysign(both[1], p.z));
+	*gradient = vec3(copysign(both[0] * across[0], p.x), copysign(both[0] * across[1], p.y),
+			 copysign(both[1], p.z));
 	return value;
 }
 
@@ -71,7 +72,8 @@ typedef struct Range {
 	double least, most;
 } Range;
 
-/* The pair's norm lies between those of the powers around it: the larger one, Pythagoras' and the sum. */
+/* The pair's norm lies between those of the powers around it: the larger one, Pythagoras' and the
+ * sum. */
 static Range pair_range(Range a, double b, double exponent)
 {
 	double larger = a.least > b ? a.least : b;
@@ -86,7 +88,8 @@ static Range pair_range(Range a, double b, double exponent)
 static bool is_inside(const Superellipsoid *shape, Vec3 p)
 {
 	double x = fabs(p.x);
-	Range range = pair_range(pair_range((Range){x, x}, fabs(p.y), shape->e), fabs(p.z), shape->n);
+	Range range =
+		pair_range(pair_range((Range){x, x}, fabs(p.y), shape->e), fabs(p.z), shape->n);
 	if (range.least > 1 + RANGE_ROUNDING)
 		return false;
 	if (range.most < 1 - RANGE_ROUNDING)
@@ -130,7 +133,8 @@ static double gauge_along(const Superellipsoid *shape, const Ray *ray, double t)
 
 /* The crossing between two places with values of different sign: the Illinois form of the secant
  * method. */
-static double refine(const Superellipsoid *shape, const Ray *ray, const double t[2], double at_a, double at_b)
+static double refine(const Superellipsoid *shape, const Ray *ray, const double t[2], double at_a,
+		     double at_b)
 {
 	double a = t[0], b = t[1];
 	for (int i = 0; i < NEWTON_STEPS && fabs(b - a) > 1e-13 * fabs(b); i++) {
@@ -154,7 +158,8 @@ static double refine(const Superellipsoid *shape, const Ray *ray, const double t
  * t[1]; rising. */
 static int kinks_between(const Ray *ray, const double t[2], double ends[KINK_PLANES + 1])
 {
-	static const Vec3 planes[KINK_PLANES] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {1, 1, 0}, {1, -1, 0}};
+	static const Vec3 planes[KINK_PLANES] = {
+		{1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {1, 1, 0}, {1, -1, 0}};
 	int count = 0;
 	for (int i = 0; i < KINK_PLANES; i++) {
 		double at = -vec3_dot(planes[i], ray->origin) / vec3_dot(planes[i], ray->direction);
@@ -171,13 +176,16 @@ static int kinks_between(const Ray *ray, const double t[2], double ends[KINK_PLA
 
 /* The crossing in an interval whose ends lie on two sides; the first interval starts outside,
  * whatever the gauge is there. */
-static double refine_change(const Superellipsoid *shape, const Ray *ray, const double t[2], bool first)
+static double refine_change(const Superellipsoid *shape, const Ray *ray, const double t[2],
+			    bool first)
 {
-	return refine(shape, ray, t, first ? 1 : gauge_along(shape, ray, t[0]), gauge_along(shape, ray, t[1]));
+	return refine(shape, ray, t, first ? 1 : gauge_along(shape, ray, t[0]),
+		      gauge_along(shape, ray, t[1]));
 }
 
 /* Crossings in rising order, at most `most`. */
-static void cross_pinched(const Shape *self, const Ray *ray, const double t[2], int most, HitList *out)
+static void cross_pinched(const Shape *self, const Ray *ray, const double t[2], int most,
+			  HitList *out)
 {
 	const Superellipsoid *shape = self->data;
 	double ends[KINK_PLANES + 1], last = t[0], before = t[0];
@@ -190,7 +198,8 @@ static void cross_pinched(const Shape *self, const Ray *ray, const double t[2], 
 			bool inside = is_inside(shape, ray_at(ray, at));
 			if (inside != was_inside) {
 				double places[] = {before, at};
-				hit_list_add(out, ray, self, refine_change(shape, ray, places, before == t[0]), 0);
+				hit_list_add(out, ray, self,
+					     refine_change(shape, ray, places, before == t[0]), 0);
 				if (out->count >= most)
 					return;
 			}
@@ -206,7 +215,8 @@ static void superellipsoid_cross(const Shape *self, const Ray *ray, int most, Hi
 	const Superellipsoid *shape = self->data;
 	double t[2];
 	int faces[2];
-	if (!box_cross((Box3){vec3_all(-1), vec3_all(1)}, ray, t, faces) || t[1] < ray->tmin || t[0] > ray->tmax)
+	if (!box_cross((Box3){vec3_all(-1), vec3_all(1)}, ray, t, faces) || t[1] < ray->tmin ||
+	    t[0] > ray->tmax)
 		return;
 	if (!shape->convex) {
 		cross_pinched(self, ray, t, most, out);
