@@ -7,7 +7,8 @@
  * ellipses' normalised kernels over those that cover the gather point.
  *
  * The share is round in emitter space, with the area of a dozen photons at the local density of
- * emission, up to four times that where the map is straight. The ellipse has the covariance that the fitted map gives it: the linear part, and
+ * emission, up to three times that where the map is straight. The ellipse has the covariance
+ * that the fitted map gives it: the linear part, and
  * that of the second-order part, which keeps it from vanishing at folds, where the first is
  * singular; the second-order part also moves its centre.
  *
@@ -61,8 +62,8 @@ static int compare_keys(const void *a, const void *b)
 }
 
 /*
- * Colours that glass has spread come by ways of their own: white light of neighbours in emitter space takes hues at random.
- * So strongly coloured photons are told apart by hue, the rest is one kind.
+ * Colours that glass has spread come by ways of their own: white light of neighbours in emitter
+ * space takes hues at random. So strongly coloured photons are told apart by hue, the rest is one kind.
  */
 static unsigned kind_of_hue(Rgb flux)
 {
@@ -165,7 +166,8 @@ static int take_samples(const Group *g, const Photon *p, NeighborList near, FitS
 		Vec3 x = vec3_sub(vec3_of(q->position), vec3_of(p->position));
 		if (q == p || vec3_dot(photon_normal(p), photon_normal(q)) < 0.5)
 			continue;
-		out[taken++] = (FitSample){{vec3_dot(d, pu), vec3_dot(d, pv)}, {vec3_dot(x, u), vec3_dot(x, v)}};
+		out[taken++] = (FitSample){{vec3_dot(d, pu), vec3_dot(d, pv)},
+		                           {vec3_dot(x, u), vec3_dot(x, v)}};
 	}
 	return taken;
 }
@@ -271,7 +273,8 @@ static Footprint make_footprint(const Photon *p, const Shape *shape, double leas
 	vec3_frame(photon_normal(p), &u, &v);
 	Symmetric c = shape->covariance;
 	double mean = 0.5 * (c.uu + c.vv), difference = 0.5 * (c.uu - c.vv);
-	double spread = sqrt(difference * difference + c.uv * c.uv), angle = 0.5 * atan2(c.uv, difference);
+	double spread = sqrt(difference * difference + c.uv * c.uv);
+	double angle = 0.5 * atan2(c.uv, difference);
 	double most = fmax(mean + spread, least_variance);
 	double least = fmax(mean - spread, fmax(least_variance, 1e-6 * most));
 	Vec3 along = vec3_mad(vec3_scale(u, cos(angle)), sin(angle), v);
@@ -350,7 +353,8 @@ static Shape *make_shapes(const EstimatorSetup *setup)
 		g.pass = fmin(1, setup->radius / (map->spacing * sqrt(50 / M_PI)));
 	for (uint32_t first = 0; first < map->count; first += g.count) {
 		g.keys = keys + first;
-		g.share = scale * scale * (is_dispersed(keys, map->count, first) ? share_of_hue : default_share);
+		bool dispersed = is_dispersed(keys, map->count, first);
+		g.share = scale * scale * (dispersed ? share_of_hue : default_share);
 		for (g.count = 1; first + g.count < map->count && g.keys[g.count].kind == g.keys->kind;)
 			g.count++;
 		set_group(&g);
