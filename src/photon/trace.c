@@ -53,7 +53,7 @@ static void cut_chunks(Job *job, const PhotonAims *aims, Arena *arena)
 	}
 }
 
-static void add_statistics(PhotonStatistics *sum, const PhotonStatistics *part)
+void photon_statistics_add(PhotonStatistics *sum, const PhotonStatistics *part)
 {
 	sum->paths += part->paths;
 	sum->stored += part->stored;
@@ -64,6 +64,8 @@ static void add_statistics(PhotonStatistics *sum, const PhotonStatistics *part)
 	sum->stored_flux += part->stored_flux;
 	sum->absorbed_flux += part->absorbed_flux;
 	sum->escaped_flux += part->escaped_flux;
+	sum->seconds += part->seconds;
+	sum->cpu_seconds += part->cpu_seconds;
 }
 
 static PhotonMap *join_chunks(const Job *job, PhotonStatistics *statistics)
@@ -79,7 +81,7 @@ static PhotonMap *join_chunks(const Job *job, PhotonStatistics *statistics)
 			memcpy(map->photons + map->count, buffer->photons,
 			       sizeof(Photon) * buffer->count);
 		map->count += buffer->count;
-		add_statistics(statistics, &buffer->statistics);
+		photon_statistics_add(statistics, &buffer->statistics);
 	}
 	return map;
 }

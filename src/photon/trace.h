@@ -25,6 +25,8 @@ typedef struct PhotonStatistics {
 	double seconds, cpu_seconds;
 } PhotonStatistics;
 
+void photon_statistics_add(PhotonStatistics *sum, const PhotonStatistics *part);
+
 /* A new map, not yet indexed. NULL when stopped. statistics may be NULL. */
 PhotonMap *photon_trace(const Scene *scene, const PhotonTraceOptions *options,
 			PhotonStatistics *statistics);

@@ -21,21 +21,6 @@ typedef struct Passes {
 	double start, share_before, share; /* of the whole work: done, and in this pass */
 } Passes;
 
-static void add_photon_statistics(PhotonStatistics *sum, const PhotonStatistics *part)
-{
-	sum->paths += part->paths;
-	sum->stored += part->stored;
-	sum->absorbed += part->absorbed;
-	sum->escaped += part->escaped;
-	sum->segments += part->segments;
-	sum->emitted_flux += part->emitted_flux;
-	sum->stored_flux += part->stored_flux;
-	sum->absorbed_flux += part->absorbed_flux;
-	sum->escaped_flux += part->escaped_flux;
-	sum->seconds += part->seconds;
-	sum->cpu_seconds += part->cpu_seconds;
-}
-
 static bool is_stopped(const Passes *passes)
 {
 	return passes->callbacks.stop && *passes->callbacks.stop;
@@ -44,7 +29,7 @@ static bool is_stopped(const Passes *passes)
 void pass_statistics_add(PassStatistics *sum, const PassStatistics *part)
 {
 	render_statistics_add(&sum->render, &part->render);
-	add_photon_statistics(&sum->photons, &part->photons);
+	photon_statistics_add(&sum->photons, &part->photons);
 	sum->passes += part->passes;
 	sum->first_radius = part->first_radius;
 	sum->radius = part->radius;
@@ -66,7 +51,7 @@ static PhotonMap *trace_photons(Passes *passes)
 	PhotonMap *map = photon_trace(passes->job->scene, &options, &statistics);
 	if (!map)
 		return NULL;
-	add_photon_statistics(&passes->statistics->photons, &statistics);
+	photon_statistics_add(&passes->statistics->photons, &statistics);
 	photon_relax_scene(map, passes->job->scene, NULL);
 	return map;
 }
