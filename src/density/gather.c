@@ -33,8 +33,8 @@ void gather_add(GatherSum *sum, const Photon *photon, double kernel)
 	sum->edges += photon->edges;
 	add_parameter(sum, photon);
 	const PhotonMap *map = sum->task->map;
-	if (map->constraint)
-		sum->constraint += 1 - map->constraint[photon - map->photons];
+	if (map->constraints)
+		sum->constraint += 1 - map->constraints[photon - map->photons].freedom;
 	if (kernel == 0)
 		return;
 	Rgb value = sum->task->bsdf(sum->task->data, photon_direction(photon));

@@ -19,7 +19,7 @@ void photon_map_destroy(PhotonMap *map)
 	photon_tree_destroy(map->tree);
 	free(map->photons);
 	free(map->lights);
-	free(map->constraint);
+	free(map->constraints);
 	free(map);
 }
 

@@ -20,15 +20,23 @@ typedef struct PhotonLight {
 	int parameter_dimensions; /* 2: on the plane; 3: on the sphere */
 } PhotonLight;
 
+/*
+ * How relaxation under constraints let a photon move (SJ13 eq. 7): as it is pushed along the unit
+ * vector u_b, by a share of that across it. v_b is freedom long and lies across u_b in the surface.
+ */
+typedef struct PhotonConstraint {
+	float along[3]; /* u_b */
+	float freedom;  /* 0..1 */
+} PhotonConstraint;
+
 typedef struct PhotonMap {
 	Photon *photons;
 	uint32_t count;
 	PhotonLight *lights;
 	int light_count;
 	PhotonTree *tree;        /* NULL until photon_map_index */
-	float *constraint; /* of each photon, in [0, 1]: how freely relaxation let it move across
-			    * the feature it lies on (length of v_b, SJ13 eq. 7); NULL: not relaxed
-			    * under constraints */
+	PhotonConstraint *constraints; /* of each photon; NULL: not relaxed under constraints */
+	bool relaxed;            /* photons are no longer where they landed */
 	double spacing; /* mean distance of neighbours on the surfaces, from the photons themselves;
 			   0: unknown */
 } PhotonMap;
@@ -39,8 +47,8 @@ void photon_map_destroy(PhotonMap *map); /* NULL is allowed */
  * again. */
 void photon_map_index(PhotonMap *map, float emitter_weight);
 
-/* PLY, binary little-endian, one vertex a photon, every field a named property. False on failure,
- * reported. */
+/* PLY, binary little-endian, one vertex a photon, every field a named property, constraints too.
+ * False on failure, reported. */
 bool photon_map_write(const PhotonMap *map, const char *path, Diag *diag);
 PhotonMap *photon_map_read(const char *path, Diag *diag);
 

@@ -1,6 +1,8 @@
 /*
  * Photon maps as PLY (Turk 1994): binary little-endian, a vertex a photon, unpacked into plain
  * numbers, so that MeshLab, CloudCompare and Blender show them. Lights travel as a second element.
+ * Photons that relaxation moved have a comment that says so and, when it moved them under
+ * constraints, those as further properties.
  * Numbers are written in the machine's order, which is little-endian on every machine this runs on;
  * reading other orders or ASCII is refused.
  */
@@ -24,11 +26,18 @@ typedef struct PlyPhoton {
 	uint8_t edges, path;
 } __attribute__((packed)) PlyPhoton;
 
+typedef struct PlyConstraint {
+	float along[3], across[3]; /* u_b and v_b of SJ13 eq. 7 */
+} __attribute__((packed)) PlyConstraint;
+
 typedef struct PlyLight {
 	double paths, parameter_area;
 	uint8_t dimensions;
 } __attribute__((packed)) PlyLight;
 
+static const char first_lines[] =
+	"ply\nformat binary_little_endian 1.0\ncomment photon map of cognac\n";
+static const char relaxed_line[] = "comment relaxed\n";
 static const char photon_properties[] =
 	"property float x\nproperty float y\nproperty float z\n"
 	"property float nx\nproperty float ny\nproperty float nz\n"
@@ -37,6 +46,9 @@ static const char photon_properties[] =
 	"property float emitter_1\nproperty float emitter_2\nproperty float emitter_3\n"
 	"property float path_length\nproperty ushort light\nproperty ushort object\n"
 	"property uchar path_edges\nproperty uchar path_kind\n";
+static const char constraint_properties[] =
+	"property float along_x\nproperty float along_y\nproperty float along_z\n"
+	"property float across_x\nproperty float across_y\nproperty float across_z\n";
 static const char light_properties[] =
 	"property double paths\nproperty double parameter_area\nproperty uchar parameter_dimensions\n";
 
@@ -53,17 +65,34 @@ static PlyPhoton unpack(const Photon *p)
 			   p->light,       p->object,      p->edges,       p->path};
 }
 
+static PlyConstraint unpack_constraint(const Photon *photon, const PhotonConstraint *constraint)
+{
+	const float *u = constraint->along;
+	Vec3 across = vec3_normalize(vec3_cross(photon_normal(photon), vec3(u[0], u[1], u[2])));
+	Vec3 v = vec3_scale(across, constraint->freedom);
+	return (PlyConstraint){{u[0], u[1], u[2]}, {(float)v.x, (float)v.y, (float)v.z}};
+}
+
+static bool write_photon(const PhotonMap *map, uint32_t i, FILE *file)
+{
+	PlyPhoton row = unpack(&map->photons[i]);
+	if (fwrite(&row, sizeof row, 1, file) != 1)
+		return false;
+	if (!map->constraints)
+		return true;
+	PlyConstraint constraint = unpack_constraint(&map->photons[i], &map->constraints[i]);
+	return fwrite(&constraint, sizeof constraint, 1, file) == 1;
+}
+
 static bool write_all(const PhotonMap *map, FILE *file)
 {
-	fprintf(file,
-		"ply\nformat binary_little_endian 1.0\ncomment photon map of cognac\nelement vertex %u\n%s",
-		map->count, photon_properties);
+	fprintf(file, "%s%selement vertex %u\n%s%s", first_lines,
+		map->relaxed ? relaxed_line : "", map->count, photon_properties,
+		map->constraints ? constraint_properties : "");
 	fprintf(file, "element light %d\n%send_header\n", map->light_count, light_properties);
-	for (uint32_t i = 0; i < map->count; i++) {
-		PlyPhoton row = unpack(&map->photons[i]);
-		if (fwrite(&row, sizeof row, 1, file) != 1)
+	for (uint32_t i = 0; i < map->count; i++)
+		if (!write_photon(map, i, file))
 			return false;
-	}
 	for (int i = 0; i < map->light_count; i++) {
 		const PhotonLight *l = &map->lights[i];
 		PlyLight row = {(double)l->paths, l->parameter_area,
@@ -107,6 +136,16 @@ static bool expect_lines(FILE *file, const char *lines)
 	return true;
 }
 
+/* Lines that may be missing: then the file stays where it was. */
+static bool accept_lines(FILE *file, const char *lines)
+{
+	long at = ftell(file);
+	if (expect_lines(file, lines))
+		return true;
+	fseek(file, at, SEEK_SET);
+	return false;
+}
+
 static bool expect_count(FILE *file, const char *format, unsigned *count)
 {
 	char line[LONGEST_LINE];
@@ -136,6 +175,28 @@ static Photon pack(const PlyPhoton *row)
 	return p;
 }
 
+/* False for what cannot be. */
+static bool pack_constraint(const PlyConstraint *row, PhotonConstraint *out)
+{
+	Vec3 across = vec3(row->across[0], row->across[1], row->across[2]);
+	double freedom = vec3_length(across);
+	*out = (PhotonConstraint){{row->along[0], row->along[1], row->along[2]},
+				  (float)fmin(freedom, 1)};
+	return isfinite(freedom + row->along[0] + row->along[1] + row->along[2]);
+}
+
+static bool read_photon(PhotonMap *map, uint32_t i, FILE *file)
+{
+	PlyPhoton row;
+	PlyConstraint constraint;
+	if (fread(&row, sizeof row, 1, file) != 1 || !is_sound(&row) ||
+	    row.light >= map->light_count)
+		return false;
+	map->photons[i] = pack(&row);
+	return !map->constraints || (fread(&constraint, sizeof constraint, 1, file) == 1 &&
+				     pack_constraint(&constraint, &map->constraints[i]));
+}
+
 static long bytes_left(FILE *file)
 {
 	long at = ftell(file);
@@ -145,22 +206,19 @@ static long bytes_left(FILE *file)
 	return fseek(file, at, SEEK_SET) == 0 ? end - at : -1;
 }
 
-static const char *read_rows(PhotonMap *map, FILE *file)
+static const char *read_rows(PhotonMap *map, FILE *file, bool constrained)
 {
-	long need = (long)(map->count * sizeof(PlyPhoton) +
-			   (size_t)map->light_count * sizeof(PlyLight));
+	size_t each = sizeof(PlyPhoton) + (constrained ? sizeof(PlyConstraint) : 0);
+	long need = (long)(map->count * each + (size_t)map->light_count * sizeof(PlyLight));
 	if (bytes_left(file) != need)
 		return "its length does not fit its header";
+	if (constrained)
+		map->constraints = memory_alloc(sizeof(PhotonConstraint) * map->count);
 	map->photons = memory_alloc(sizeof(Photon) * map->count);
 	map->lights = memory_alloc(sizeof(PhotonLight) * (size_t)map->light_count);
-	for (uint32_t i = 0; i < map->count; i++) {
-		PlyPhoton row;
-		if (fread(&row, sizeof row, 1, file) != 1)
-			return "it ends too early";
-		if (!is_sound(&row) || row.light >= map->light_count)
+	for (uint32_t i = 0; i < map->count; i++)
+		if (!read_photon(map, i, file))
 			return "it holds a photon that cannot be";
-		map->photons[i] = pack(&row);
-	}
 	for (int i = 0; i < map->light_count; i++) {
 		PlyLight row;
 		if (fread(&row, sizeof row, 1, file) != 1)
@@ -174,18 +232,22 @@ static const char *read_rows(PhotonMap *map, FILE *file)
 static const char *read_all(PhotonMap *map, FILE *file)
 {
 	unsigned photons, lights;
-	if (!expect_lines(file,
-			  "ply\nformat binary_little_endian 1.0\ncomment photon map of cognac\n") ||
-	    !expect_count(file, "element vertex %u\n", &photons) ||
-	    !expect_lines(file, photon_properties) ||
-	    !expect_count(file, "element light %u\n", &lights) ||
+	static const char stranger[] = "it is no photon map of this program";
+	if (!expect_lines(file, first_lines))
+		return stranger;
+	map->relaxed = accept_lines(file, relaxed_line);
+	if (!expect_count(file, "element vertex %u\n", &photons) ||
+	    !expect_lines(file, photon_properties))
+		return stranger;
+	bool constrained = accept_lines(file, constraint_properties);
+	if (!expect_count(file, "element light %u\n", &lights) ||
 	    !expect_lines(file, light_properties) || !expect_lines(file, "end_header\n"))
-		return "it is no photon map of this program";
+		return stranger;
 	if (lights > UINT16_MAX)
 		return "it holds too many lights";
 	map->count = photons;
 	map->light_count = (int)lights;
-	return read_rows(map, file);
+	return read_rows(map, file, constrained);
 }
 
 PhotonMap *photon_map_read(const char *path, Diag *diag)

@@ -208,15 +208,27 @@ static void note_movement(const RelaxSet *set, const PhotonMap *map, RelaxStatis
 	statistics->mean_constraint = set->count ? freedom / set->count : 1;
 }
 
-/* Photons that took no part move as freely as any. */
+/* A photon that took no part has the basis of one that moves as it likes. */
+static void note_freedom(const Photon *photon, PhotonConstraint *out)
+{
+	Vec3 tangent, across;
+	vec3_frame(photon_normal(photon), &tangent, &across);
+	put(out->along, tangent);
+	out->freedom = 1;
+}
+
 static void note_constraints(const RelaxSet *set, PhotonMap *map)
 {
-	map->constraint = memory_resize(map->constraint,
-					sizeof *map->constraint * ((size_t)map->count + 1));
+	PhotonConstraint *all = memory_resize(map->constraints,
+					      sizeof *all * ((size_t)map->count + 1));
+	map->constraints = all;
 	for (uint32_t i = 0; i < map->count; i++)
-		map->constraint[i] = 1;
-	for (uint32_t i = 0; i < set->count; i++)
-		map->constraint[set->points[i].photon] = set->bases[i].v_length;
+		note_freedom(&map->photons[i], &all[i]);
+	for (uint32_t i = 0; i < set->count; i++) {
+		const RelaxBasis *b = &set->bases[i];
+		all[set->points[i].photon] =
+			(PhotonConstraint){{b->u[0], b->u[1], b->u[2]}, b->v_length};
+	}
 }
 
 /* Numbers that no scene should ask for, made harmless. */
@@ -243,8 +255,29 @@ static void relax_points(RelaxSet *set, const Relaxation *settings, RelaxStatist
 		iterate(set, settings, RELAX_WORLD,
 			settings->parameter_iterations + settings->world_iterations);
 	}
+	statistics->iterations =
+		(uint64_t)(settings->parameter_iterations + settings->world_iterations);
 	statistics->feature_seconds = detected - start;
 	statistics->seconds = clock_wall() - detected;
+}
+
+/* Means weigh as many photons as they are of. */
+static double joint_mean(double a, uint64_t count_a, double b, uint64_t count_b)
+{
+	uint64_t count = count_a + count_b;
+	return count ? (a * (double)count_a + b * (double)count_b) / (double)count : a;
+}
+
+void relax_statistics_add(RelaxStatistics *sum, const RelaxStatistics *part)
+{
+	sum->mean_movement = joint_mean(sum->mean_movement, sum->moved, part->mean_movement,
+					part->moved);
+	sum->mean_constraint = joint_mean(sum->mean_constraint, sum->moved,
+					  part->mean_constraint, part->moved);
+	sum->moved += part->moved;
+	sum->iterations += part->iterations;
+	sum->feature_seconds += part->feature_seconds;
+	sum->seconds += part->seconds;
 }
 
 bool photon_relax(PhotonMap *map, const Relaxation *settings, const RelaxSurfaces *surfaces,
@@ -267,6 +300,7 @@ bool photon_relax(PhotonMap *map, const Relaxation *settings, const RelaxSurface
 		relax_set_store(&set, map);
 	}
 	bool moved = set.count > 0;
+	map->relaxed = map->relaxed || moved;
 	relax_set_free(&set);
 	photon_tree_destroy(map->tree);
 	map->tree = NULL;

@@ -42,7 +42,8 @@ typedef struct RelaxSurfaces {
 } RelaxSurfaces;
 
 typedef struct RelaxStatistics {
-	uint32_t moved;          /* photons that took part */
+	uint64_t moved;          /* photons that took part */
+	uint64_t iterations;
 	double feature_seconds;  /* constraints, trees included */
 	double seconds;          /* iterations, trees included */
 	double mean_movement;    /* between a photon's first and last place, scene units */
@@ -50,8 +51,11 @@ typedef struct RelaxStatistics {
 				   plain: 1 */
 } RelaxStatistics;
 
+/* Sums; means over all photons that moved. */
+void relax_statistics_add(RelaxStatistics *sum, const RelaxStatistics *part);
+
 /*
- * Moves the photons; the tree of the map is dropped. Constrained, map->constraint is filled in.
+ * Moves the photons; the tree of the map is dropped. Constrained, map->constraints is filled in.
  * False when there was nothing to do: switched off, or no photons. statistics may be NULL.
  */
 bool photon_relax(PhotonMap *map, const Relaxation *settings, const RelaxSurfaces *surfaces,

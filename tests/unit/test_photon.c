@@ -4,6 +4,7 @@
 #include <stdlib.h>
 #include <unistd.h>
 
+#include "base/arena.h"
 #include "base/parallel.h"
 #include "base/random.h"
 #include "photon/tree_build.h"
@@ -225,7 +226,25 @@ static void check_round_trip(const PhotonMap *map, const char *path, Diag *diag)
 	      back->lights[1].paths == 123456);
 	for (uint32_t i = 0; back && i < map->count; i++)
 		CHECK(memcmp(&back->photons[i], &map->photons[i], sizeof(Photon)) == 0);
+	CHECK(back && back->relaxed == map->relaxed && !back->constraints == !map->constraints);
+	for (uint32_t i = 0; back && map->constraints && i < map->count; i++) {
+		const PhotonConstraint *a = &back->constraints[i], *b = &map->constraints[i];
+		CHECK(memcmp(a->along, b->along, sizeof a->along) == 0);
+		CHECK_NEAR(a->freedom, b->freedom, 1e-6);
+	}
 	photon_map_destroy(back);
+}
+
+/* As if relaxation under constraints had moved the photons, which lie on a plane across y. */
+static void constrain(PhotonMap *map)
+{
+	map->relaxed = true;
+	map->constraints = memory_alloc(sizeof(PhotonConstraint) * (map->count + 1));
+	for (uint32_t i = 0; i < map->count; i++) {
+		double angle = 2 * M_PI * random_uniform(5, i, 0);
+		map->constraints[i] = (PhotonConstraint){{(float)cos(angle), 0, (float)sin(angle)},
+							 (float)random_uniform(5, i, 1)};
+	}
 }
 
 static void test_map(void)
@@ -237,6 +256,8 @@ static void test_map(void)
 	photon_map_index(map, 0);
 	CHECK_NEAR(map->spacing, sqrt(1.0 / 20000),
 		   0.15 * sqrt(1.0 / 20000)); /* a unit square of uniform photons */
+	check_round_trip(map, path, diag);
+	constrain(map);
 	check_round_trip(map, path, diag);
 	CHECK(diag_errors(diag) == 0);
 	CHECK(truncate(path, 5000) == 0 && !photon_map_read(path, diag) && diag_errors(diag) == 1);

@@ -184,7 +184,7 @@ static void test_noise(Relaxation settings)
 	CHECK(photon_relax(map, &settings, &EVERYWHERE, &statistics));
 	CHECK(!map->tree && statistics.moved == 10000 && statistics.mean_movement > 0 &&
 	      statistics.mean_movement < 0.02);
-	CHECK((map->constraint != NULL) == settings.constrained);
+	CHECK((map->constraints != NULL) == settings.constrained);
 	CHECK(unevenness(map) < 0.1 * before);
 	photon_map_destroy(map);
 }
@@ -260,8 +260,8 @@ static void test_fixed_object(Relaxation settings)
 	CHECK(memcmp(map->photons + 2000, before->photons + 2000, sizeof(Photon) * 2000) == 0);
 	/* Those of the other object move as if alone. */
 	CHECK(memcmp(map->photons, alone->photons, sizeof(Photon) * 2000) == 0);
-	for (uint32_t i = 2000; i < 4000 && map->constraint; i++)
-		CHECK(map->constraint[i] == 1);
+	for (uint32_t i = 2000; i < 4000 && map->constraints; i++)
+		CHECK(map->constraints[i].freedom == 1);
 	photon_map_destroy(map);
 	photon_map_destroy(before);
 	photon_map_destroy(alone);
@@ -332,7 +332,8 @@ static void check_finite(PhotonMap *map, Relaxation settings, bool moves)
 	for (uint32_t i = 0; i < map->count; i++) {
 		const float *p = map->photons[i].position;
 		finite += isfinite(p[0]) && isfinite(p[1]) && isfinite(p[2]);
-		CHECK(!map->constraint || (map->constraint[i] >= 0 && map->constraint[i] <= 1));
+		CHECK(!map->constraints || (map->constraints[i].freedom >= 0 &&
+					    map->constraints[i].freedom <= 1));
 	}
 	CHECK(finite == (int)map->count);
 	CHECK(moves || statistics.mean_movement == 0);
