@@ -227,6 +227,7 @@ static PassOptions pass_options(const Options *options)
 	return (PassOptions){
 		.save_file = options->photons_file,
 		.load_file = options->load_photons_file,
+		.landed_file = options->photons_landed_file,
 		.estimator = options->estimator_said ? &options->estimator : NULL,
 		.passes = options->passes,
 	};

@@ -31,6 +31,7 @@ static void print_usage(void)
 	      "      --update SECONDS      rewrite the picture so far that often\n"
 	      "      --estimator NAME      of photon density: povray, nearest, diffusion, footprint\n"
 	      "      --photons FILE.ply, --load-photons FILE.ply   write or read the photons\n"
+	      "      --photons-landed FILE.ply   write them as they are before relaxation\n"
 	      "      --passes N            progressive photon passes\n"
 	      "      --help, --version\n",
 	      stdout);

@@ -77,6 +77,7 @@ typedef struct Options {
 	int threads;                /* 0: as many as the machine has */
 	uint64_t seed;
 	const char *photons_file, *load_photons_file; /* --photons, --load-photons; or NULL */
+	const char *photons_landed_file;              /* --photons-landed; or NULL */
 	Estimator estimator; bool estimator_said;     /* --estimator */
 	int passes;                 /* --passes; 0: as the scene says */
 	const char *stats;          /* --stats: JSON to this file, or NULL */

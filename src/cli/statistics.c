@@ -26,6 +26,18 @@ static uint64_t all_rays(const RenderStatistics *r)
 	       r->transmitted_rays;
 }
 
+static double seconds_per_iteration(const RelaxStatistics *r)
+{
+	return r->iterations ? r->seconds / (double)r->iterations : 0;
+}
+
+static void print_relaxation(FILE *out, const RelaxStatistics *r)
+{
+	fprintf(out, "%-18s%14.3f s = %.3f features + %" PRIu64 " iterations of %.3f\n",
+		"relaxation", r->feature_seconds + r->seconds, r->feature_seconds, r->iterations,
+		seconds_per_iteration(r));
+}
+
 static void print_photons(FILE *out, const PassStatistics *s)
 {
 	const PhotonStatistics *p = &s->photons;
@@ -36,6 +48,10 @@ static void print_photons(FILE *out, const PassStatistics *s)
 	for (size_t i = 0; i < sizeof rows / sizeof *rows; i++)
 		fprintf(out, "%-18s%14" PRIu64 "\n", rows[i].name, rows[i].value);
 	fprintf(out, "%-18s%14.3f s\n", "photons", p->seconds);
+	if (s->relaxation.iterations > 0)
+		print_relaxation(out, &s->relaxation);
+	fprintf(out, "%-18s%14.3f s\n", "photon tree", s->caustics.index);
+	fprintf(out, "%-18s%14.3f s\n", "estimators", s->caustics.estimators);
 	fprintf(out, "%-18s%14.6g in = %.6g stored + %.6g absorbed + %.6g escaped\n", "flux",
 		p->emitted_flux, p->stored_flux, p->absorbed_flux, p->escaped_flux);
 }
@@ -85,6 +101,17 @@ static void write_rays(FILE *out, const RenderStatistics *r)
 		r->transmitted_rays);
 }
 
+static void write_relaxation(FILE *out, const RelaxStatistics *r)
+{
+	fprintf(out,
+		"    \"relaxation\": {\"moved\": %" PRIu64 ", \"iterations\": %" PRIu64
+		", \"feature_seconds\": %.6f, \"iteration_seconds\": %.6f,\n",
+		r->moved, r->iterations, r->feature_seconds, r->seconds);
+	fprintf(out,
+		"      \"seconds_per_iteration\": %.6f, \"mean_movement\": %.9g, \"mean_freedom\": %.6f},\n",
+		seconds_per_iteration(r), r->mean_movement, r->mean_constraint);
+}
+
 static void write_photons(FILE *out, const PassStatistics *s)
 {
 	const PhotonStatistics *p = &s->photons;
@@ -96,6 +123,10 @@ static void write_photons(FILE *out, const PassStatistics *s)
 	fprintf(out,
 		"    \"seconds\": %.6f, \"processor\": %.6f, \"first_radius\": %.9g, \"radius\": %.9g,\n",
 		p->seconds, p->cpu_seconds, s->first_radius, s->radius);
+	fprintf(out, "    \"tree_seconds\": %.6f, \"estimator_seconds\": %.6f,\n",
+		s->caustics.index, s->caustics.estimators);
+	if (s->relaxation.iterations > 0)
+		write_relaxation(out, &s->relaxation);
 	fprintf(out,
 		"    \"flux\": {\"emitted\": %.9g, \"stored\": %.9g, \"absorbed\": %.9g, \"escaped\": %.9g}},\n",
 		p->emitted_flux, p->stored_flux, p->absorbed_flux, p->escaped_flux);

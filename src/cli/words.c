@@ -46,6 +46,13 @@ static bool set_load_photons(Options *options, const char *value, Diag *diag)
 	return true;
 }
 
+static bool set_photons_landed(Options *options, const char *value, Diag *diag)
+{
+	(void)diag;
+	options->photons_landed_file = value;
+	return true;
+}
+
 static bool set_estimator(Options *options, const char *value, Diag *diag)
 {
 	options->estimator_said = true;
@@ -126,6 +133,7 @@ static const LongOption long_options[] = {
 	{"output", "Output_File_Name", NULL, true},
 	{"passes", NULL, set_passes, true},
 	{"photons", NULL, set_photons, true},
+	{"photons-landed", NULL, set_photons_landed, true},
 	{"quality", "Quality", NULL, true},
 	{"quiet", NULL, set_quiet, false},
 	{"seed", NULL, set_seed, true},

@@ -3,6 +3,7 @@
 #include <math.h>
 #include <stdlib.h>
 
+#include "base/clock.h"
 #include "photon/aim.h"
 #include "scene/visit.h"
 
@@ -57,11 +58,13 @@ static void visit_surface(void *data, const Surface *surface)
 static const float EMITTER_WEIGHT = 0;
 
 Caustics *caustics_create(const Scene *scene, PhotonMap *map, const CausticOptions *options,
-			  Diag *diag)
+			  CausticTimes *times, Diag *diag)
 {
 	Caustics *caustics = memory_alloc(sizeof *caustics);
 	*caustics = (Caustics){.map = map};
+	double start = clock_wall();
 	photon_map_index(map, EMITTER_WEIGHT);
+	double indexed = clock_wall();
 	Creation creation = {
 		caustics,
 		{.photons = &scene->settings.photons, .map = map, .radius = options->radius},
@@ -71,6 +74,8 @@ Caustics *caustics_create(const Scene *scene, PhotonMap *map, const CausticOptio
 		options->estimator ? options->estimator : &scene->settings.photons.estimator);
 	for (int i = 0; i < scene->shape_count && !options->estimator; i++)
 		shape_visit_surfaces(scene->shapes[i], visit_surface, &creation);
+	times->index += indexed - start;
+	times->estimators += clock_wall() - indexed;
 	if (!creation.failed)
 		return caustics;
 	caustics_destroy(caustics);

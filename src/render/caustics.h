@@ -14,9 +14,16 @@ typedef struct CausticOptions {
 	double radius;              /* of a progressive pass; 0: none */
 } CausticOptions;
 
-/* Indexes the map and takes it over, even on failure. NULL on failure, reported. */
+/* What it took to create, seconds. */
+typedef struct CausticTimes {
+	double index;      /* the search tree */
+	double estimators; /* what they prepare: footprints' ellipses, for one */
+} CausticTimes;
+
+/* Indexes the map and takes it over, even on failure. NULL on failure, reported. times are added
+ * to. */
 Caustics *caustics_create(const Scene *scene, PhotonMap *map, const CausticOptions *options,
-			  Diag *diag);
+			  CausticTimes *times, Diag *diag);
 void caustics_destroy(Caustics *caustics); /* NULL is allowed */
 
 /* Caustic light that the surface sends to the viewer; result says how it was found. All zero where

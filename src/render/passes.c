@@ -4,8 +4,6 @@
 
 #include "base/clock.h"
 #include "base/random.h"
-#include "photon/relax.h"
-#include "render/caustics.h"
 #include "render/reduction.h"
 
 typedef struct Passes {
@@ -30,6 +28,9 @@ void pass_statistics_add(PassStatistics *sum, const PassStatistics *part)
 {
 	render_statistics_add(&sum->render, &part->render);
 	photon_statistics_add(&sum->photons, &part->photons);
+	relax_statistics_add(&sum->relaxation, &part->relaxation);
+	sum->caustics.index += part->caustics.index;
+	sum->caustics.estimators += part->caustics.estimators;
 	sum->passes += part->passes;
 	sum->first_radius = part->first_radius;
 	sum->radius = part->radius;
@@ -52,8 +53,20 @@ static PhotonMap *trace_photons(Passes *passes)
 	if (!map)
 		return NULL;
 	photon_statistics_add(&passes->statistics->photons, &statistics);
-	photon_relax_scene(map, passes->job->scene, NULL);
 	return map;
+}
+
+static void relax_photons(Passes *passes, PhotonMap *map)
+{
+	RelaxStatistics statistics;
+	if (!map->relaxed && photon_relax_scene(map, passes->job->scene, &statistics))
+		relax_statistics_add(&passes->statistics->relaxation, &statistics);
+}
+
+/* False on failure, reported. */
+static bool save_photons(const Passes *passes, const PhotonMap *map, const char *path)
+{
+	return !path || photon_map_write(map, path, passes->job->diag);
 }
 
 /* From a file or from the lights; NULL with *status set. */
@@ -66,12 +79,15 @@ static PhotonMap *get_photons(Passes *passes, RenderStatus *status)
 	*status = map ? RENDER_DONE : load ? RENDER_FAILED : RENDER_STOPPED;
 	if (map && load)
 		passes->statistics->photons.stored = map->count;
-	if (map && save && !photon_map_write(map, save, passes->job->diag)) {
-		photon_map_destroy(map);
-		*status = RENDER_FAILED;
+	if (!map)
 		return NULL;
-	}
-	return map;
+	bool saved = save_photons(passes, map, options->landed_file);
+	relax_photons(passes, map);
+	if (saved && save_photons(passes, map, save))
+		return map;
+	photon_map_destroy(map);
+	*status = RENDER_FAILED;
+	return NULL;
 }
 
 /* ---- one pass ---- */
@@ -79,7 +95,8 @@ static PhotonMap *get_photons(Passes *passes, RenderStatus *status)
 static RenderStatus render_with(Passes *passes, PhotonMap *map, double radius, Film *film)
 {
 	CausticOptions options = {passes->job->options->estimator, radius};
-	Caustics *caustics = caustics_create(passes->job->scene, map, &options, passes->job->diag);
+	Caustics *caustics = caustics_create(passes->job->scene, map, &options,
+					     &passes->statistics->caustics, passes->job->diag);
 	RenderStatistics statistics;
 	if (!caustics)
 		return RENDER_FAILED;
@@ -149,6 +166,7 @@ static RenderStatus render_pass(Passes *passes, Film *film)
 	PhotonMap *map = trace_photons(passes);
 	if (!map)
 		return RENDER_STOPPED;
+	relax_photons(passes, map);
 	film_add_photons(film, map->count);
 	double radius = passes->reduction->radius(passes->progressive.radius, passes->pass);
 	RenderStatus status = render_with(passes, map, radius, film);

@@ -6,12 +6,15 @@
 #ifndef RENDER_PASSES_H
 #define RENDER_PASSES_H
 
+#include "photon/relax.h"
 #include "photon/trace.h"
+#include "render/caustics.h"
 #include "render/render.h"
 
 /* What switches say beside the scene's photons { }. */
 typedef struct PassOptions {
 	const char *save_file, *load_file; /* photon maps; NULL: what the scene says */
+	const char *landed_file; /* the map before relaxation goes there; NULL: nowhere */
 	const Estimator *estimator; /* instead of the scene's and its objects'; NULL: theirs */
 	int passes;                        /* 0: what the scene says */
 } PassOptions;
@@ -19,6 +22,8 @@ typedef struct PassOptions {
 typedef struct PassStatistics {
 	RenderStatistics render;
 	PhotonStatistics photons;
+	RelaxStatistics relaxation; /* all zero: none */
+	CausticTimes caustics;
 	uint32_t passes;      /* finished, those of an earlier run included */
 	double first_radius,
 		radius; /* of the first and of the last progressive pass; 0: not progressive */
