@@ -15,12 +15,13 @@ include tests/unit/caustic.mk
 TEST_EXTENSIONS = .sh
 SH_LOG_COMPILER = $(SHELL)
 AM_TESTS_ENVIRONMENT = COGNAC='$(abs_builddir)/cognac'; COMPARE='$(abs_builddir)/cognac-compare'; \
-	MERGE='$(abs_builddir)/cognac-merge'; SOURCES='$(abs_srcdir)'; export COGNAC COMPARE MERGE SOURCES;
+	LAYER='$(abs_builddir)/cognac-layer'; MERGE='$(abs_builddir)/cognac-merge'; SOURCES='$(abs_srcdir)'; \
+	export COGNAC COMPARE LAYER MERGE SOURCES;
 check_SCRIPTS += tests/layering.sh
 EXTRA_DIST += tests/layering.sh
 
 # The command line and the manual pages.
-CLI_TESTS = tests/cli/animation.sh tests/cli/dispersion.sh tests/cli/ini.sh tests/cli/interrupt.sh tests/cli/make.sh tests/cli/merge.sh \
+CLI_TESTS = tests/cli/animation.sh tests/cli/dispersion.sh tests/cli/ini.sh tests/cli/interrupt.sh tests/cli/layer.sh tests/cli/make.sh tests/cli/merge.sh \
 	tests/cli/output.sh tests/cli/photons.sh tests/cli/ply.sh tests/cli/words.sh tests/man.sh
 check_SCRIPTS += $(CLI_TESTS)
 EXTRA_DIST += $(CLI_TESTS) tests/cli/common.sh tests/cli/read_ply.py

@@ -2,7 +2,7 @@
 # The manual pages: clean for mandoc's lint, and their examples run as they stand.
 . "$SOURCES/tests/cli/common.sh"
 
-pages="cognac.1 cognac-compare.1 cognac-merge.1 cognac-language.5 cognac-photons.7"
+pages="cognac.1 cognac-compare.1 cognac-layer.1 cognac-merge.1 cognac-language.5 cognac-photons.7"
 if command -v mandoc >/dev/null; then
 	for page in $pages; do
 		# Whether other pages are installed here is not this page's fault.
@@ -31,6 +31,7 @@ run_examples()
 mkdir bin
 ln -s "$COGNAC" bin/cognac
 ln -s "$COMPARE" bin/cognac-compare
+ln -s "$LAYER" bin/cognac-layer
 ln -s "$MERGE" bin/cognac-merge
 PATH=$work/bin:$PATH
 export PATH
@@ -39,6 +40,7 @@ run_examples cognac.1
 cp scene.png a.png
 "$COGNAC" scene.pov +W160 +H120 +Q3 +Ob.png >out 2>err
 run_examples cognac-compare.1
+run_examples cognac-layer.1
 run_examples cognac-merge.1
 run_examples cognac-photons.7
 examples cognac-language.5 | sed '/^---/d' >language.pov

@@ -7,7 +7,7 @@
 
 #include "config.h"
 #include "image/compare.h"
-#include "image/exr.h"
+#include "image/layer.h"
 #include "image/write.h"
 
 typedef struct Task {
@@ -31,43 +31,13 @@ static void print_usage(FILE *out)
 	      out);
 }
 
-/* A layer's channels in the order R, G, B, or the only one it has. NULL, reported, when it is not
- * there. */
-static Image *layer_image(const ExrImage *exr, const char *path, const char *layer, Diag *diag)
-{
-	static const char *const endings[] = {"R", "G", "B", "X", "Y", "Z", "V"};
-	const ExrChannel *found[3];
-	int count = 0;
-	for (size_t i = 0; i < sizeof endings / sizeof *endings && count < 3; i++) {
-		char name[256];
-		snprintf(name, sizeof name, "%s.%s", layer, endings[i]);
-		const ExrChannel *channel = exr_find(exr, name);
-		if (channel)
-			found[count++] = channel;
-	}
-	if (count == 0 && exr_find(exr, layer))
-		found[count++] = exr_find(exr, layer);
-	if (count == 0) {
-		diag_fail(diag, "%s: no layer %s", path, layer);
-		return NULL;
-	}
-	Image *image = calloc(1, sizeof *image);
-	*image = (Image){.width = exr->width,
-			 .height = exr->height,
-			 .channels = count < 3 ? 1 : 3,
-			 .linear = true};
-	size_t pixels = (size_t)image->width * image->height;
-	image->pixels = calloc(pixels * image->channels, sizeof *image->pixels);
-	for (size_t i = 0; i < pixels; i++)
-		for (int c = 0; c < image->channels; c++)
-			image->pixels[i * image->channels + c] = found[c]->data[i];
-	return image;
-}
-
+/* NULL, reported, when it is not there. */
 static Image *read_layer(const char *path, const char *layer, Diag *diag)
 {
 	ExrImage *exr = exr_read(path, diag);
-	Image *image = exr ? layer_image(exr, path, layer, diag) : NULL;
+	Image *image = exr ? layer_extract(exr, layer) : NULL;
+	if (exr && !image)
+		diag_fail(diag, "%s: no layer %s", path, layer);
 	exr_destroy(exr);
 	return image;
 }
