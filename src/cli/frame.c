@@ -160,12 +160,14 @@ static RenderOptions render_options(const FrameWork *work)
 	return r;
 }
 
+/* The state first: a run killed in between must not leave a picture that looks finished. */
 static void write_so_far(FrameWork *work)
 {
 	Film *film = film_snapshot(work->film);
-	output_write(work->job->options, film, &work->origin, work->path, work->job->diag);
+	work->origin.passes = work->statistics.passes;
 	if (work->job->options->resume)
 		film_save(film, work->state_path, work->key, work->job->diag);
+	output_write(work->job->options, film, &work->origin, work->path, work->job->diag);
 	film_destroy(film);
 }
 
@@ -182,16 +184,24 @@ static void on_progress(void *data, const RenderProgress *progress)
 	}
 }
 
+/* Progressive passes keep their state when all that were asked for are done, for more of them later. */
+static bool keeps_state(const FrameWork *work)
+{
+	return work->job->options->resume && film_passes(work->film) > 0;
+}
+
 /* Writes the finished picture; what is left of an earlier, unfinished run goes. */
 static Status finish(FrameWork *work)
 {
 	double start = clock_wall();
 	if (!work->job->options->to_file)
 		return STATUS_DONE;
-	bool good = output_write(work->job->options, work->film, &work->origin, work->path,
-				 work->job->diag);
+	bool keeps = keeps_state(work) && strcmp(work->path, "-") != 0;
+	bool good = !keeps || film_save(work->film, work->state_path, work->key, work->job->diag);
+	good = good && output_write(work->job->options, work->film, &work->origin, work->path,
+				    work->job->diag);
 	work->statistics.write_seconds = clock_wall() - start;
-	if (good && work->job->options->resume)
+	if (good && work->job->options->resume && !keeps)
 		unlink(work->state_path);
 	return good ? STATUS_DONE : STATUS_FAILED;
 }

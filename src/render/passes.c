@@ -160,6 +160,11 @@ static uint64_t seed_of_pass(uint64_t seed, uint32_t pass)
 	return pass == 0 ? seed : random_bits(seed, pass, 0);
 }
 
+static double radius_of_pass(const Passes *passes, uint32_t pass)
+{
+	return passes->reduction->radius(passes->progressive.radius, pass);
+}
+
 static RenderStatus render_pass(Passes *passes, Film *film)
 {
 	passes->render.seed = seed_of_pass(passes->seed, passes->pass);
@@ -168,7 +173,7 @@ static RenderStatus render_pass(Passes *passes, Film *film)
 		return RENDER_STOPPED;
 	relax_photons(passes, map);
 	film_add_photons(film, map->count);
-	double radius = passes->reduction->radius(passes->progressive.radius, passes->pass);
+	double radius = radius_of_pass(passes, passes->pass);
 	RenderStatus status = render_with(passes, map, radius, film);
 	if (status == RENDER_DONE)
 		passes->statistics->radius = radius;
@@ -208,6 +213,8 @@ static RenderStatus render_progressive(Passes *passes)
 	Film *film = passes->job->film;
 	passes->pass = film_passes(film);
 	RenderStatus status = settle_radius(passes);
+	if (passes->pass > 0)
+		passes->statistics->radius = radius_of_pass(passes, passes->pass - 1);
 	while (status == RENDER_DONE && wants_more(passes)) {
 		Film *one = film_create_like(film);
 		settle_shares(passes);

@@ -53,4 +53,24 @@ stopped +C
 "$COGNAC" slow.pov $size +Owhole.png >out 2>err
 "$COMPARE" soon.png whole.png | grep -qx 'MSE 0' || fail "the continued picture is another one"
 [ ! -e soon.png.state ] || fail "the state is left behind"
+
+# Progressive passes keep their state when they are done: more of them later go on from there.
+passes()
+{
+	"$COGNAC" caustic.pov +W64 +H48 +FE +C "$@" >out 2>err || fail "$*: $(head -n 1 err)"
+}
+passes +Oafter.exr --passes 2
+[ -s after.exr.state ] || fail "passes keep no state"
+passes +Oafter.exr --passes 5
+passes +Oat_once.exr --passes 5
+"$COMPARE" --layer caustic after.exr at_once.exr | grep -qx 'MSE 0' || fail "passes go on to another picture"
+# header FILE NAME: the number of that name. Names stand right behind the value before.
+header()
+{
+	tr -c '[:print:]' '\n' <"$1" | sed -n "/$2\$/,\$p" | sed 1d | grep -o -m 1 '^[0-9][0-9.e-]*'
+}
+[ "$(header after.exr passes)" = 5 ] || fail "the header tells of $(header after.exr passes) passes"
+passes +Oafter.exr --passes 5
+radius=$(header at_once.exr radius)
+[ "$radius" ] && [ "$(header after.exr radius)" = "$radius" ] || fail "the header forgets the last radius"
 finish
