@@ -1,33 +1,35 @@
 // A halogen lamp over a chair: each facet of its reflector throws a patch of light of its own.
+// All of its light has passed the lamp's pane of glass, so all of it is caustic.
 // Plain POV-Ray 3.7; one unit is ten centimetres. Declare=Photon_Count=N for more photons.
 #version 3.7;
 
-#ifndef (Photon_Count) #declare Photon_Count = 250000; #end
+#ifndef (Photon_Count) #declare Photon_Count = 400000; #end
 
 global_settings {
   assumed_gamma 1.0
-  max_trace_level 6
-  photons { count Photon_Count autostop 0 gather 10, 40 }
+  max_trace_level 8
+  photons { count Photon_Count autostop 0 gather 20, 80 }
 }
 
 camera {
-  location <-12, 12, -24>
-  look_at <0.4, 6.6, 0>
+  location <-14, 12.5, -26>
+  look_at <-0.6, 6.8, 0>
   right x * image_width / image_height
-  angle 48
+  angle 46
 }
 
 background { color rgb 0.01 }
 
-#declare Lamp = <1.5, 15, -1.5>;
-#declare Focus = 0.55;  // of the paraboloid that the facets follow
-#declare Rings = 5;
-#declare Facets = 14;
-#declare Depth = 1.3;   // of the reflector
+#declare Lamp = <1.2, 16, -1.5>; // the reflector's apex
+#declare Focus = 0.9;
+#declare Rings = 3;
+#declare Facets = 9;
+#declare Depth = 1.3;
+#declare Rim = 2 * sqrt(Focus * Depth);
 
 // The point of the reflector on ring I at corner J; it opens downwards and its apex is the origin.
 #macro Corner(I, J)
-  #local Q = 0.25 + (2 * sqrt(Focus * Depth) - 0.25) * I / Rings;
+  #local Q = 0.25 + (Rim - 0.25) * I / Rings;
   #local A = 2 * pi * J / Facets;
   <Q * cos(A), -Q * Q / (4 * Focus), Q * sin(A)>
 #end
@@ -42,20 +44,33 @@ background { color rgb 0.01 }
   #end
 };
 
+// A shade of metal around the reflector, and the pane that closes it.
+#declare Shade = difference {
+  cylinder { <0, -Depth - 0.35, 0>, <0, 0.25, 0>, Rim + 0.25 }
+  cylinder { <0, -Depth - 0.45, 0>, <0, 0.12, 0>, Rim + 0.12 }
+};
+#declare Pane = cylinder { <0, -Depth - 0.26, 0>, <0, -Depth - 0.14, 0>, Rim + 0.1 };
+
 union {
   object {
     Reflector
     pigment { color rgb 0.95 }
-    finish { ambient 0 diffuse 0.05 reflection 0.9 }
+    finish { ambient 0 diffuse 0.03 reflection 0.92 }
     photons { target reflection on collect off }
   }
   object {
-    Reflector
-    scale 1.04
-    pigment { color rgb 0.2 }
-    finish { ambient 0 diffuse 0.6 specular 0.3 }
+    Shade
+    pigment { color rgb <0.10, 0.11, 0.12> }
+    finish { ambient 0.02 diffuse 0.5 specular 0.5 roughness 0.02 }
   }
-  rotate <0, 0, -6>
+  object {
+    Pane
+    pigment { color rgbt <1, 1, 1, 1> }
+    finish { ambient 0 diffuse 0 reflection { 0, 1 fresnel on } conserve_energy }
+    interior { ior 1.5 }
+    photons { target refraction on reflection on collect off }
+  }
+  rotate <4, 0, -8>
   translate Lamp
 }
 cylinder {
@@ -65,9 +80,9 @@ cylinder {
 
 // The filament stands a little below the focus, so that the patches spread.
 light_source {
-  Lamp - y * (Focus + 0.62)
-  color rgb <1.0, 0.9, 0.75> * 0.13
-  photons { reflection on }
+  Lamp - y * (Focus + 0.35)
+  color rgb <1.0, 0.88, 0.70> * 0.07
+  photons { reflection on refraction on }
 }
 
 // The chair.

@@ -11,23 +11,32 @@ global_settings {
 }
 
 camera {
-  location <0.5, 11, -12>
-  look_at <0.2, 0, -0.2>
+  location <1, 10.5, -11>
+  look_at <0.3, 0, -0.1>
   right x * image_width / image_height
   angle 37
 }
 
-background { color rgb <0.03, 0.03, 0.04> }
+// A dim room, for the metal to mirror.
+sky_sphere {
+  pigment {
+    gradient y
+    color_map {
+      [0.00 color rgb <0.04, 0.04, 0.05>] [0.35 color rgb <0.10, 0.10, 0.12>] [0.62 color rgb <0.55, 0.52, 0.48>]
+      [0.80 color rgb <0.30, 0.32, 0.36>] [1.00 color rgb <0.08, 0.09, 0.12>]
+    }
+  }
+}
 
 light_source {
-  <-24, 20, 16>
-  color rgb <1.0, 0.93, 0.82> * 0.8
+  <-22, 13, 13>
+  color rgb <1.0, 0.86, 0.66> * 1.15
   photons { reflection on }
 }
 
 light_source {
   <20, 30, -20>
-  color rgb <0.5, 0.6, 0.8> * 0.35
+  color rgb <0.5, 0.6, 0.8> * 0.10
   shadowless
   photons { reflection off refraction off }
 }
