@@ -16,19 +16,3 @@ pictures/dragon.png: pictures/dragon.inc
 pictures/dragon.inc: $(srcdir)/scenes/dragon.py
 	@$(MKDIR_P) pictures
 	python3 $< >$@.new && mv $@.new $@
-
-# What pictures are measured against: many progressive passes, as two halves that differ in the seed; their difference is the
-# error bar. A run that was stopped goes on. Passes, photons and radius stand in the EXR's header.
-REFERENCES_PASSES = 200
-REFERENCES_FLAGS = +W320 +H240
-REFERENCE = ./cognac +Lpictures $(REFERENCES_FLAGS) --passes $(REFERENCES_PASSES) +C +FE $< +O$@
-references: $(SCENES:%=references/%-1.exr) $(SCENES:%=references/%-2.exr)
-.PHONY: references
-
-references/%-1.exr: $(srcdir)/scenes/%.pov
-	@$(MKDIR_P) references
-	$(REFERENCE) --seed 1
-references/%-2.exr: $(srcdir)/scenes/%.pov
-	@$(MKDIR_P) references
-	$(REFERENCE) --seed 2
-references/dragon-1.exr references/dragon-2.exr: pictures/dragon.inc

@@ -1,0 +1,76 @@
+"""The scenes that caustics are measured on: for each a camera close to its caustic, so that this fills the picture, and what
+references and tests share. One ray from the eye goes through each pixel's middle, so that all gather light at the same points.
+"""
+import hashlib
+import json
+import math
+import os
+import subprocess
+import tempfile
+
+SIZE = 256  # pixels, both ways
+
+# Scene: location, look_at, angle in degrees; and the crop that is shown large: its name, x, y, width, height in pixels.
+CAMERAS = {
+    "prism": ((6.5, 12, -11.5), (5.1, 0, -2.3), 28, ("folds", 90, 70, 96, 96)),
+    "cognac": ((14, 15, -15), (5.6, 0, -4.7), 27, ("crossing", 64, 32, 96, 96)),
+    "halogen": ((-13, 15, -20), (-2.5, 0, -3.5), 40, ("facets", 60, 110, 96, 96)),
+    "rings": ((0.8, 12, -7), (-0.35, 0, 0.15), 24, ("cusp", 48, 48, 96, 96)),
+}
+SCENES = tuple(CAMERAS)
+
+
+def vector(v):
+    return "<%.9g, %.9g, %.9g>" % v
+
+
+def footprint(name):
+    """Width of a pixel where the camera looks, scene units."""
+    location, look_at, angle, _ = CAMERAS[name]
+    return 2 * math.dist(location, look_at) * math.tan(math.radians(angle / 2)) / SIZE
+
+
+def text(name, folder, settings=""):
+    """A scene with the close camera around NAME.pov of a folder; settings go into its photons { }."""
+    location, look_at, angle, _ = CAMERAS[name]
+    with open(os.path.join(folder, name + ".pov"), "rb") as file:
+        digest = hashlib.sha256(file.read()).hexdigest()
+    return (f'#version unofficial cognac 1.0;\n// {digest}\n#include "{name}.pov"\n'
+            f"camera {{\n  location {vector(location)}\n  look_at {vector(look_at)}\n  right x\n  angle {angle}\n}}\n"
+            f"global_settings {{ photons {{ {settings} }} }}\n")
+
+
+class Program:
+    """Calls cognac on close-ups; words that are the same for all calls."""
+
+    def __init__(self, cognac, scenes, threads=0, library=()):
+        self.cognac, self.scenes = cognac, scenes
+        self.words = ["-V", f"+W{SIZE}", f"+H{SIZE}", "-A", f"+WT{threads}"]
+        self.words += [f"+L{folder}" for folder in (scenes, *library)]
+
+    def run(self, scene, *words):
+        """Waits for it; it ends with us. Raises CalledProcessError."""
+        process = subprocess.Popen([self.cognac, *self.words, *words, scene])
+        try:
+            status = process.wait()
+        finally:
+            if process.poll() is None:
+                process.terminate()
+                process.wait()
+        if status != 0:
+            raise subprocess.CalledProcessError(status, process.args)
+
+    def trace(self, name, settings, count, seed, *words):
+        """The statistics of photons for a count, without a picture."""
+        with tempfile.TemporaryDirectory() as folder:
+            scene, stats = os.path.join(folder, "close.pov"), os.path.join(folder, "stats.json")
+            with open(scene, "w") as file:
+                file.write(text(name, self.scenes, settings))
+            self.run(scene, "-F", "+W8", "+H8", f"Declare=Photon_Count={count}", f"--seed={seed}", f"--stats={stats}", *words)
+            with open(stats) as file:
+                return json.load(file)["photons"]
+
+    def count_for(self, name, stored):
+        """The Photon_Count that stores about so many photons."""
+        trial = 200000
+        return max(1, round(trial * stored / self.trace(name, "", trial, 0)["stored"]))
