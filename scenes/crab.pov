@@ -1,8 +1,9 @@
-// A crab of polished metal on sand-coloured paper, through a lens wide open.
+// A crab of polished copper in the lid of a tin: its wall throws a cusp of light over the crab's shadows. Through a lens wide
+// open.
 // Plain POV-Ray 3.7; one unit is a centimetre. Declare=Photon_Count=N for more photons, Lens_Samples=N for a smoother blur.
 #version 3.7;
 
-#ifndef (Photon_Count) #declare Photon_Count = 80000; #end
+#ifndef (Photon_Count) #declare Photon_Count = 300000; #end
 #ifndef (Lens_Samples) #declare Lens_Samples = 12; #end
 
 global_settings {
@@ -12,11 +13,11 @@ global_settings {
 }
 
 camera {
-  location <-4, 6.5, -13>
-  look_at <0.2, 0.4, -0.4>
+  location <-4.5, 8.2, -13>
+  look_at <0, 0.2, -0.6>
   right x * image_width / image_height
-  angle 36
-  aperture 0.9
+  angle 40
+  aperture 0.6
   blur_samples Lens_Samples
   focal_point <-0.4, 0.9, -1.6>
   variance 0
@@ -30,8 +31,8 @@ sky_sphere {
 }
 
 light_source {
-  <22, 20, 14>
-  color rgb <1.0, 0.94, 0.84> * 1.0
+  <20, 17, 17>
+  color rgb <1.0, 0.94, 0.84> * 0.75
   photons { reflection on }
 }
 
@@ -78,6 +79,21 @@ union {
     ambient 0.01 diffuse 0.1
     specular 0.7 roughness 0.004 metallic
     reflection { 0.8 metallic }
+  }
+  photons { target reflection on collect off }
+}
+
+// The lid lies on its back.
+difference {
+  cylinder { <0, 0.02, 0>, <0, 1.15, 0>, 4.78 }
+  cylinder { <0, -1, 0>, <0, 2, 0>, 4.70 }
+  torus { 4.74, 0.09 translate y * 0.5 }
+  translate <0, 0, -0.4>
+  pigment { color rgb <0.95, 0.86, 0.66> }
+  finish {
+    ambient 0.01 diffuse 0.1
+    specular 0.6 roughness 0.006 metallic
+    reflection { 0.82 metallic }
   }
   photons { target reflection on collect off }
 }

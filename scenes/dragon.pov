@@ -1,10 +1,14 @@
-// A dragon of green glass, coiled on marble. Its mesh is made by dragon.py: dragon.py > dragon.inc
+// A dragon of green glass, coiled on marble. Its mesh is made by dragon.py: python3 dragon.py > dragon.inc
 // Plain POV-Ray 3.7; one unit is a centimetre. Declare=Photon_Count=N for more photons.
 #version 3.7;
 
-#ifndef (Photon_Count) #declare Photon_Count = 120000; #end
+#ifndef (Photon_Count) #declare Photon_Count = 400000; #end
 
-#include "dragon.inc"
+#if (file_exists("dragon.inc"))
+  #include "dragon.inc"
+#else
+  #error "dragon.inc is missing; make it by: python3 dragon.py > dragon.inc (make pictures/dragon.png does)\n"
+#end
 
 global_settings {
   assumed_gamma 1.0
@@ -13,10 +17,10 @@ global_settings {
 }
 
 camera {
-  location <1, 9.5, -14>
-  look_at <0.3, 1.4, 0>
+  location <1.5, 8.5, -14>
+  look_at <0.7, 1.6, 0>
   right x * image_width / image_height
-  angle 36
+  angle 35
 }
 
 sky_sphere {

@@ -20,31 +20,32 @@ def unit(a):
 
 
 def spine(t):
-    """The middle of the body, t from 0 (tail) to 1 (nose): one and a half coils that rise, then the raised neck."""
-    turn = 2 * math.pi * (0.1 + 1.55 * t)
-    neck = max(0.0, (t - 0.72) / 0.28)
-    wide = 2.9 - 1.1 * t - 1.1 * neck * neck
-    sway = 0.25 * math.sin(6 * turn)
-    rise = 0.45 + 0.55 * math.sin(math.pi * t) ** 2 + 0.5 * t + 3.6 * neck ** 1.6 - 1.6 * neck ** 6
-    return ((wide + sway) * math.cos(turn), rise, (wide + sway) * math.sin(turn))
+    """The middle of the body, t from 0 (tail) to 1 (nose): two coils that widen and rise a little, then the neck stands up from
+    the middle and bends forward to the head."""
+    turn = 2 * math.pi * (0.30 + 1.75 * t)
+    neck = max(0.0, (t - 0.70) / 0.30)
+    bend = max(0.0, (t - 0.88) / 0.12)
+    wide = 3.1 - 0.9 * t - 1.3 * neck * neck * (3 - 2 * neck) + 1.7 * bend * bend
+    rise = 0.42 + 0.75 * t * t + 3.3 * neck * neck * (3 - 2 * neck) - 0.75 * bend * bend
+    return (wide * math.cos(turn), rise, wide * math.sin(turn))
 
 
 def thickness(t):
-    """Thin at the tail, thick in the middle, a neck, a head that ends in a muzzle."""
-    body = 0.62 * math.sin(math.pi * min(1.0, 0.06 + 0.8 * t)) ** 1.3
-    head = 0.34 * math.exp(-((t - 0.945) / 0.028) ** 2) + 0.16 * math.exp(-((t - 0.985) / 0.02) ** 2)
-    close = min(1.0, t / 0.04, (1.0 - t) / 0.008)
+    """Thin at the tail, thick in the middle, a neck, a head with brows that ends in a muzzle."""
+    body = 0.46 * math.sin(math.pi * min(1.0, 0.05 + 0.80 * t)) ** 1.1
+    head = 0.30 * math.exp(-((t - 0.945) / 0.020) ** 2) + 0.15 * math.exp(-((t - 0.983) / 0.014) ** 2)
+    close = min(1.0, t / 0.04, (1.0 - t) / 0.006)
     return (body + head) * math.sqrt(max(close, 0.0))
 
 
 def relief(t, a):
     """What scales, belly and comb add to the radius; a is the angle around, 0 on the back."""
-    u, v = 74 * t, 9 * a / math.pi
+    u, v = 52 * t, 7 * a / math.pi
     scale = abs(math.sin(math.pi * (u + v))) * abs(math.sin(math.pi * (u - v)))
     belly = 0.5 - 0.5 * math.cos(a)
-    saw = (46 * t) % 1.0
-    comb = math.exp(-(math.sin(a / 2) / 0.09) ** 2) * (0.25 + 0.75 * (1 - saw)) if 0.05 < t < 0.93 else 0.0
-    return 0.10 * math.sqrt(scale) * (1 - belly ** 3) + 0.05 * belly ** 3 * math.cos(2 * math.pi * 60 * t) + 0.75 * comb
+    saw = (34 * t) % 1.0
+    comb = math.exp(-(math.sin(a / 2) / 0.12) ** 2) * (1 - saw) ** 1.5 if 0.06 < t < 0.92 else 0.0
+    return 0.07 * scale * (1 - belly ** 3) + 0.04 * belly ** 3 * math.cos(2 * math.pi * 44 * t) + 0.85 * comb
 
 
 def frames(along):

@@ -2,7 +2,7 @@
 // Plain POV-Ray 3.7; one unit is a metre. Declare=Photon_Count=N for more photons.
 #version 3.7;
 
-#ifndef (Photon_Count) #declare Photon_Count = 90000; #end
+#ifndef (Photon_Count) #declare Photon_Count = 300000; #end
 
 #include "functions.inc"
 
@@ -13,8 +13,8 @@ global_settings {
 }
 
 camera {
-  location <-0.4, 5.2, -7.2>
-  look_at <0, -0.8, 0.2>
+  location <-1.6, 3.6, -5.6>
+  look_at <0.15, -1.05, 0.0>
   right x * image_width / image_height
   angle 46
 }
@@ -55,7 +55,7 @@ isosurface {
 
 #declare Tiles = texture {
   pigment {
-    brick color rgb <0.62, 0.66, 0.66>, color rgb <0.78, 0.90, 0.93>
+    brick color rgb <0.72, 0.78, 0.78>, color rgb <0.42, 0.74, 0.82>
     brick_size <0.3, 0.3, 0.3> mortar 0.012
     translate <0.15, 0.15, 0.15>
   }

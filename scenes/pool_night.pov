@@ -2,7 +2,7 @@
 // The water is a mesh. Plain POV-Ray 3.7; one unit is a metre. Declare=Photon_Count=N for more photons.
 #version 3.7;
 
-#ifndef (Photon_Count) #declare Photon_Count = 120000; #end
+#ifndef (Photon_Count) #declare Photon_Count = 400000; #end
 
 global_settings {
   assumed_gamma 1.0
@@ -11,17 +11,17 @@ global_settings {
 }
 
 camera {
-  location <-3.4, 1.7, -5.6>
-  look_at <0.6, 0.9, 1.0>
+  location <-3.2, 1.75, -6.2>
+  look_at <0.7, 1.25, 1.0>
   right x * image_width / image_height
-  angle 66
+  angle 70
 }
 
-// The lamp sits in the side wall, half way down.
-#declare Lamp = <-2.7, -0.7, 0.6>;
+// The lamp stands on the basin's floor.
+#declare Lamp = <0.4, -1.2, 0.9>;
 light_source {
   Lamp
-  color rgb <0.80, 0.95, 1.0> * 0.9
+  color rgb <0.80, 0.95, 1.0> * 3.6
   fade_distance 2.0 fade_power 2
   photons { refraction on reflection on }
 }
@@ -36,14 +36,14 @@ sphere {
 // Moonlight through a window that is not seen.
 light_source {
   <6, 9, -8>
-  color rgb <0.25, 0.32, 0.5> * 0.25
+  color rgb <0.25, 0.32, 0.5> * 0.16
   shadowless
   photons { refraction off reflection off }
 }
 
-#declare Steps = 72;
+#declare Steps = 96;
 #declare Height = function(x, z) {
-  0.024 * sin(3.1 * x + 1.4 * z) + 0.017 * sin(-2.2 * x + 4.1 * z + 1.3) + 0.010 * sin(6.1 * x - 4.7 * z + 2.0)
+  0.016 * sin(5.1 * x + 2.3 * z) + 0.012 * sin(-3.6 * x + 6.7 * z + 1.3) + 0.006 * sin(9.8 * x - 7.9 * z + 2.0)
 };
 #declare Slope = 0.001;
 
@@ -104,7 +104,7 @@ difference {
   box {
     <-3, -1.5, -2.5>, <3, 1, 2.5>
     pigment {
-      brick color rgb <0.60, 0.64, 0.64>, color rgb <0.80, 0.90, 0.92>
+      brick color rgb <0.66, 0.70, 0.70>, color rgb <0.52, 0.80, 0.86>
       brick_size <0.3, 0.3, 0.3> mortar 0.012
       translate <0.15, 0.15, 0.15>
     }
