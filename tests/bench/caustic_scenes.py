@@ -1,6 +1,8 @@
-"""The scenes that caustics are measured on: for each a camera close to its caustic, so that this fills the picture, and what
-references and tests share. One ray from the eye goes through each pixel's middle, so that all gather light at the same points.
+"""The scenes that caustics are measured on: for each a camera close to its caustic, so that this
+fills the picture, and what references and tests share. One ray from the eye goes through each
+pixel's middle, so that all gather light at the same points.
 """
+
 import hashlib
 import json
 import math
@@ -10,12 +12,20 @@ import tempfile
 
 SIZE = 256  # pixels, both ways
 
-# Scene: location, look_at, angle in degrees; and the crop that is shown large: its name, x, y, width, height in pixels.
+# Scene: location, look_at, angle in degrees; and the crop that is shown large: its name, x, y,
+# width, height in pixels.
 CAMERAS = {
     "prism": ((6.5, 12, -11.5), (5.1, 0, -2.3), 28, ("folds", 90, 70, 96, 96)),
     "cognac": ((14, 15, -15), (5.6, 0, -4.7), 27, ("crossing", 64, 32, 96, 96)),
     "halogen": ((-13, 15, -20), (-2.5, 0, -3.5), 40, ("facets", 60, 110, 96, 96)),
-    "rings": ((0.8, 12, -7), (-0.35, 0, 0.15), 24, ("cusp", 48, 48, 96, 96)),
+    "rings": ((0.8, 12, -7), (-0.35, 0, 0.15), 24, ("cusp", 80, 96, 96, 96)),
+    "egg": ((6, 10, -8), (2.7, 0, -1.2), 26, ("focus", 48, 64, 96, 96)),
+    "pool": ((-0.6, 3, -2.9), (0.1, -1.5, -0.3), 34, ("knot", 130, 40, 96, 96)),
+    "pool_night": ((-1.5, 1.4, -3), (0.3, 1.9, 5), 46, ("band", 48, 80, 96, 96)),
+    "wine": ((10, 12, -12), (6.6, 0, -2.8), 22, ("focus", 64, 64, 96, 96)),
+    "ring": ((0.8, 15, -9), (1.2, 0, 0), 18, ("cusp", 112, 80, 96, 96)),
+    "crab": ((-5, 9, -9.5), (-1.4, 0, -2), 28, ("wall", 96, 150, 96, 96)),
+    "dragon": ((1, 10, -9), (0.6, 0, -2.6), 34, ("scales", 120, 100, 96, 96)),
 }
 SCENES = tuple(CAMERAS)
 
@@ -31,13 +41,18 @@ def footprint(name):
 
 
 def text(name, folder, settings=""):
-    """A scene with the close camera around NAME.pov of a folder; settings go into its photons { }."""
+    """A scene with the close camera around NAME.pov of a folder; settings go into photons { }."""
     location, look_at, angle, _ = CAMERAS[name]
     with open(os.path.join(folder, name + ".pov"), "rb") as file:
         digest = hashlib.sha256(file.read()).hexdigest()
-    return (f'#version unofficial cognac 1.0;\n// {digest}\n#include "{name}.pov"\n'
-            f"camera {{\n  location {vector(location)}\n  look_at {vector(look_at)}\n  right x\n  angle {angle}\n}}\n"
-            f"global_settings {{ photons {{ {settings} }} }}\n")
+    camera = (
+        f"  location {vector(location)}\n  look_at {vector(look_at)}\n"
+        f"  right x\n  angle {angle}\n"
+    )
+    return (
+        f'#version unofficial cognac 1.0;\n// {digest}\n#include "{name}.pov"\n'
+        f"camera {{\n{camera}}}\nglobal_settings {{ photons {{ {settings} }} }}\n"
+    )
 
 
 class Program:
@@ -66,7 +81,16 @@ class Program:
             scene, stats = os.path.join(folder, "close.pov"), os.path.join(folder, "stats.json")
             with open(scene, "w") as file:
                 file.write(text(name, self.scenes, settings))
-            self.run(scene, "-F", "+W8", "+H8", f"Declare=Photon_Count={count}", f"--seed={seed}", f"--stats={stats}", *words)
+            self.run(
+                scene,
+                "-F",
+                "+W8",
+                "+H8",
+                f"Declare=Photon_Count={count}",
+                f"--seed={seed}",
+                f"--stats={stats}",
+                *words,
+            )
             with open(stats) as file:
                 return json.load(file)["photons"]
 

@@ -1,4 +1,6 @@
-"""Crops of the caustic layer of several pictures side by side in one PNG, with a line of text under each."""
+"""Crops of the caustic layer of several pictures side by side in one PNG, with a line of text
+under each."""
+
 import struct
 import zlib
 
@@ -8,25 +10,35 @@ import exr
 
 SCALE, COLUMNS, GAP = 2, 5, 4
 # Letters of 3 x 5 pixels, a digit a row.
-FONT = {"a": "25755", "b": "65656", "c": "34443", "d": "65556", "e": "74647", "f": "74644", "g": "34553", "h": "55755",
-        "i": "72227", "j": "11152", "k": "55655", "l": "44447", "m": "57755", "n": "65555", "o": "25552", "p": "65644",
-        "q": "25563", "r": "65655", "s": "34216", "t": "72222", "u": "55557", "v": "55552", "w": "55775", "x": "55255",
-        "y": "55222", "z": "71247", "0": "75557", "1": "26227", "2": "71747", "3": "71717", "4": "55711", "5": "74717",
-        "6": "74757", "7": "71111", "8": "75757", "9": "75717", ".": "00002", "-": "00700", " ": "00000"}
+LETTERS = "abcdefghijklmnopqrstuvwxyz0123456789.- "
+SHAPES = """
+25755 65656 34443 65556 74647 74644 34553 55755 72227 11152 55655 44447 57755 65555 25552 65644
+25563 65655 34216 72222 55557 55552 55775 55255 55222 71247 75557 26227 71747 71717 55711 74717
+74757 71111 75757 75717 00002 00700 00000
+"""
+FONT = dict(zip(LETTERS, SHAPES.split()))
 LETTER = 2  # pixels of the sheet to one of a letter
 
 
 def write_png(path, pixels):
     """[row, column, colour] of bytes."""
     height, width, _ = pixels.shape
-    rows = numpy.concatenate([numpy.zeros((height, 1), numpy.uint8), pixels.reshape(height, 3 * width)], axis=1)
+    rows = numpy.concatenate(
+        [numpy.zeros((height, 1), numpy.uint8), pixels.reshape(height, 3 * width)], axis=1
+    )
 
     def chunk(kind, data):
-        return struct.pack(">I", len(data)) + kind + data + struct.pack(">I", zlib.crc32(kind + data))
+        return (
+            struct.pack(">I", len(data)) + kind + data + struct.pack(">I", zlib.crc32(kind + data))
+        )
 
     with open(path, "wb") as file:
-        file.write(b"\x89PNG\r\n\x1a\n" + chunk(b"IHDR", struct.pack(">2I5B", width, height, 8, 2, 0, 0, 0)) +
-                   chunk(b"IDAT", zlib.compress(rows.tobytes(), 9)) + chunk(b"IEND", b""))
+        file.write(
+            b"\x89PNG\r\n\x1a\n"
+            + chunk(b"IHDR", struct.pack(">2I5B", width, height, 8, 2, 0, 0, 0))
+            + chunk(b"IDAT", zlib.compress(rows.tobytes(), 9))
+            + chunk(b"IEND", b"")
+        )
 
 
 def encode(linear):
@@ -39,25 +51,33 @@ def encode(linear):
 def label(text, width):
     """White letters on black"""
     out = numpy.zeros((7 * LETTER, width, 3), numpy.uint8)
-    for i, letter in enumerate(text.lower()[:width // (4 * LETTER)]):
+    for i, letter in enumerate(text.lower()[: width // (4 * LETTER)]):
         rows = [[bit == "1" for bit in f"{int(row):03b}"] for row in FONT.get(letter, "00000")]
-        out[LETTER:6 * LETTER, 4 * LETTER * i:(4 * i + 3) * LETTER] = numpy.kron(
-            numpy.array(rows, numpy.uint8) * 255, numpy.ones((LETTER, LETTER), numpy.uint8))[:, :, None]
+        out[LETTER : 6 * LETTER, 4 * LETTER * i : (4 * i + 3) * LETTER] = numpy.kron(
+            numpy.array(rows, numpy.uint8) * 255, numpy.ones((LETTER, LETTER), numpy.uint8)
+        )[:, :, None]
     return out
 
 
 def write(path, crop, pictures):
-    """crop: its name, x, y, width, height; pictures: pairs of text and EXR file, the reference first. All are shown as bright
-    as lets the reference's brightest hundredth be white."""
+    """crop: its name, x, y, width, height; pictures: pairs of text and EXR file, the reference
+    first. All are shown as bright as lets the reference's brightest hundredth be white."""
     _, x, y, width, height = crop
-    crops = [exr.layer(exr.read(file)[0], "caustic")[y:y + height, x:x + width] for _, file in pictures]
+    crops = [
+        exr.layer(exr.read(file)[0], "caustic")[y : y + height, x : x + width]
+        for _, file in pictures
+    ]
     white = numpy.percentile(crops[0].max(axis=-1), 99)
     tiles = []
     for (text, _), one in zip(pictures, crops):
-        tile = numpy.repeat(numpy.repeat(encode(one / max(white, 1e-9)), SCALE, axis=0), SCALE, axis=1)
+        tile = numpy.repeat(
+            numpy.repeat(encode(one / max(white, 1e-9)), SCALE, axis=0), SCALE, axis=1
+        )
         tile = numpy.concatenate([tile, label(text, tile.shape[1])])
         tiles.append(numpy.pad(tile, ((0, GAP), (0, GAP), (0, 0))))
     while len(tiles) % COLUMNS:
         tiles.append(numpy.zeros_like(tiles[0]))
-    rows = [numpy.concatenate(tiles[i:i + COLUMNS], axis=1) for i in range(0, len(tiles), COLUMNS)]
+    rows = [
+        numpy.concatenate(tiles[i : i + COLUMNS], axis=1) for i in range(0, len(tiles), COLUMNS)
+    ]
     write_png(path, numpy.concatenate(rows))

@@ -1,12 +1,15 @@
 #!/usr/bin/python3
-"""How far estimates of caustics are from the references (references.py), scene by scene and count by count: RMSE, MRSE and SSIM
-of the layer caustic on the close-ups of caustic_scenes.py.
+"""How far estimates of caustics are from the references (references.py), scene by scene and count
+by count: RMSE, MRSE and SSIM of the layer caustic on the close-ups of caustic_scenes.py.
 
-All estimators of a row of the table see the same photons: they are traced once a seed, and once more with the same seed for each
-kind of relaxation, and loaded. K "best" is searched on a seed of its own, and what is printed is the mean over other seeds. The
-columns: K; RMSE and its part of the reference's mean; MRSE; SSIM; RMSE beside that of nearest at its best K; how many photons
-nearest at its best K would need for this RMSE (from its RMSE at the counts measured, as a power of the count between them and
-beyond); processor seconds of the picture. The reference's own error is in all RMSEs."""
+All estimators see the same photons: they are traced once a seed, and once more with the same seed
+for each kind of relaxation, and loaded. K "best" is searched on a seed of its own, and what is
+printed is the mean over other seeds. The columns: K, with * if it is the best; RMSE and its part
+of the reference's mean; MRSE; SSIM; RMSE beside that of nearest at its best K; how many photons
+nearest at its best K would need for this RMSE (from its RMSE at the counts measured, as a power of
+the count between them and beyond); processor seconds of the picture. The reference's own error is
+in all RMSEs."""
+
 import argparse
 import hashlib
 import json
@@ -20,7 +23,8 @@ import caustic_sheet
 import exr
 
 SEARCH_SEED = 100  # finds the best K; seeds 1, 2, ... judge it
-STEPS = (6, 8, 11, 15, 21, 30, 42, 60, 85, 120, 170, 240, 340, 480, 680, 960, 1360, 1920)  # of K, by about the root of 2
+# Of K, by about the root of 2.
+STEPS = (6, 8, 11, 15, 21, 30, 42, 60, 85, 120, 170, 240, 340, 480, 680, 960, 1360, 1920)
 BEST = "best"
 
 # Name: relaxation or None, estimator ({K} stands for a K), Ks.
@@ -65,7 +69,9 @@ class Bench:
 
     def __init__(self, options, name, count, results):
         self.options, self.name, self.count, self.results = options, name, count, results
-        self.program = caustic_scenes.Program(options.cognac, options.scenes, options.threads, options.library)
+        self.program = caustic_scenes.Program(
+            options.cognac, options.scenes, options.threads, options.library
+        )
         self.reference = os.path.join(options.references, name + ".exr")
         with open(self.reference, "rb") as file:
             self.digest = hashlib.sha256(file.read()).hexdigest()[:12]
@@ -75,7 +81,10 @@ class Bench:
         self.stored = {}
 
     def path(self, *parts):
-        return os.path.join(self.options.folder, ".".join(str(part) for part in (self.name, short(self.count), *parts)))
+        return os.path.join(
+            self.options.folder,
+            ".".join(str(part) for part in (self.name, short(self.count), *parts)),
+        )
 
     def write_scene(self, settings):
         path = self.path("close", "pov")
@@ -89,7 +98,9 @@ class Bench:
         if not os.path.exists(path):
             self.paths = self.paths or self.program.count_for(self.name, self.count)
             settings = f"relaxation {{ {relaxation} }}" if relaxation else ""
-            statistics = self.program.trace(self.name, settings, self.paths, seed, f"--photons={path}")
+            statistics = self.program.trace(
+                self.name, settings, self.paths, seed, f"--photons={path}"
+            )
             self.stored[path] = statistics["stored"]
         return path
 
@@ -111,10 +122,19 @@ class Bench:
         if known and (seed != 1 or os.path.exists(out)):
             return known
         stats = self.path("stats", "json")
-        self.program.run(self.write_scene(f"estimator {{ {estimator} }}"), f"--load-photons={self.photons(relaxation, seed)}",
-                         "+FE", f"+O{out}", f"--stats={stats}")
-        run = subprocess.run([self.options.compare, "--json", "--layer", "caustic", out, self.reference], check=True,
-                             capture_output=True, text=True)
+        self.program.run(
+            self.write_scene(f"estimator {{ {estimator} }}"),
+            f"--load-photons={self.photons(relaxation, seed)}",
+            "+FE",
+            f"+O{out}",
+            f"--stats={stats}",
+        )
+        run = subprocess.run(
+            [self.options.compare, "--json", "--layer", "caustic", out, self.reference],
+            check=True,
+            capture_output=True,
+            text=True,
+        )
         row = {key.lower(): value for key, value in json.loads(run.stdout).items()}
         with open(stats) as file:
             row["seconds"] = json.load(file)["seconds"]["processor"]
@@ -128,7 +148,11 @@ class Bench:
 
         def at(i):
             if i not in tried:
-                tried[i] = self.measure(method, STEPS[i], SEARCH_SEED)["rmse"] if 0 <= i < len(STEPS) else math.inf
+                tried[i] = (
+                    self.measure(method, STEPS[i], SEARCH_SEED)["rmse"]
+                    if 0 <= i < len(STEPS)
+                    else math.inf
+                )
             return tried[i]
 
         i = STEPS.index(start)
@@ -139,14 +163,29 @@ class Bench:
 
     def row(self, method, k):
         rows = [self.measure(method, k, seed) for seed in range(self.options.seeds, 0, -1)]
-        row = {key: sum(r[key] for r in rows) / len(rows) for key in ("rmse", "mrse", "ssim", "seconds")}
-        spread = math.sqrt(sum((r["rmse"] - row["rmse"]) ** 2 for r in rows) / max(1, len(rows) - 1))
-        return dict(row, scene=self.name, count=self.count, method=method, k=k, spread=spread, mean=self.mean)
+        row = {
+            key: sum(r[key] for r in rows) / len(rows)
+            for key in ("rmse", "mrse", "ssim", "seconds")
+        }
+        spread = math.sqrt(
+            sum((r["rmse"] - row["rmse"]) ** 2 for r in rows) / max(1, len(rows) - 1)
+        )
+        return dict(
+            row,
+            scene=self.name,
+            count=self.count,
+            method=method,
+            k=k,
+            spread=spread,
+            mean=self.mean,
+        )
 
     def rows(self, methods):
         for method in methods:
             for k in METHODS[method][2]:
-                found = self.best(method, 60 if METHODS[method][0] is None else 30) if k == BEST else k
+                found = (
+                    self.best(method, 60 if METHODS[method][0] is None else 30) if k == BEST else k
+                )
                 yield dict(self.row(method, found), best=k == BEST)
         if not self.options.keep:
             self.forget()
@@ -154,17 +193,28 @@ class Bench:
 
 # ---- tables ----
 
+
 def find_best(rows, scene, count):
     for row in rows:
-        if (row["scene"], row["count"], row["method"], row["best"]) == (scene, count, "nearest", True):
+        if (row["scene"], row["count"], row["method"], row["best"]) == (
+            scene,
+            count,
+            "nearest",
+            True,
+        ):
             return row["rmse"]
     return None
 
 
 def photons_needed(rows, row):
-    """By nearest at its best K, from the line through two counts in logarithms: those around the RMSE, or the last."""
+    """By nearest at its best K, from the line through two counts in logarithms: those around the
+    RMSE, or the last two."""
     counts = sorted({r["count"] for r in rows if r["scene"] == row["scene"]})
-    points = [(math.log(c), math.log(find_best(rows, row["scene"], c))) for c in counts if find_best(rows, row["scene"], c)]
+    points = [
+        (math.log(c), math.log(find_best(rows, row["scene"], c)))
+        for c in counts
+        if find_best(rows, row["scene"], c)
+    ]
     if len(points) < 2:
         return None
     goal = math.log(row["rmse"])
@@ -175,31 +225,47 @@ def photons_needed(rows, row):
     return math.exp(x0 + (goal - y0) * (x1 - x0) / (y1 - y0)) if y1 < y0 else None
 
 
+def print_row(row, base, needed):
+    beside = f"{row['rmse'] / base:.3f}" if base else ""
+    k = f"{row['k'] or ''}" + ("*" if row["best"] else " ")
+    print(
+        f"{row['method']:11} {k:>5} {row['rmse']:8.5f}  {row['rmse'] / row['mean']:7.4f}",
+        f"{row['mrse']:8.5f} {row['ssim']:7.4f} {beside:>11}",
+        f"{short(needed) if needed else '':>14} {row['seconds']:8.2f}",
+    )
+
+
 def print_table(rows, scene, count, texts):
-    mean = rows[0]["mean"]
+    chosen = [row for row in rows if (row["scene"], row["count"]) == (scene, count)]
+    mean = chosen[0]["mean"]
     error = float(texts.get("error", "nan"))
-    print(f"\n{scene}, {short(count)} photons; reference of {short(int(texts['photons']))} photons, its error {error:.3g}, "
-          f"{100 * error / mean:.1f}% of the mean {mean:.4g}")
+    print(
+        f"\n{scene}, {short(count)} photons; reference of {short(int(texts['photons']))} photons,",
+        f"its error {error:.3g}, {100 * error / mean:.1f}% of the mean {mean:.4g}",
+    )
     print("method         K     RMSE  of mean     MRSE    SSIM  of nearest  nearest needs  seconds")
     base = find_best(rows, scene, count)
-    for row in rows:
-        if (row["scene"], row["count"]) != (scene, count):
-            continue
-        beside = f"{row['rmse'] / base:.3f}" if base else ""
-        needed = photons_needed(rows, row)
-        k = (f"{row['k']}*" if row["best"] else f"{row['k']} ") if row["k"] else " "
-        print(f"{row['method']:11} {k:>5} {row['rmse']:8.5f}  {row['rmse'] / mean:7.4f} {row['mrse']:8.5f} {row['ssim']:7.4f} "
-              f"{beside:>11} {short(needed) if needed else '':>14} {row['seconds']:8.2f}")
+    for row in chosen:
+        print_row(row, base, photons_needed(rows, row))
     sys.stdout.flush()
 
 
 # ---- the whole ----
 
+
 def add_method(text):
     """NAME:RELAXATION:ESTIMATOR[:K,K...]; nothing for no relaxation."""
     parts = text.split(":")
-    ks = tuple(BEST if k == BEST else int(k) for k in parts[3].split(",")) if len(parts) > 3 else (0,)
-    METHODS[parts[0]] = (parts[1] or None, parts[2].replace("{", "{{").replace("}", "}}").replace("%K", "{K}"), ks)
+    ks = (
+        tuple(BEST if k == BEST else int(k) for k in parts[3].split(","))
+        if len(parts) > 3
+        else (0,)
+    )
+    METHODS[parts[0]] = (
+        parts[1] or None,
+        parts[2].replace("{", "{{").replace("}", "}}").replace("%K", "{K}"),
+        ks,
+    )
     return parts[0]
 
 
@@ -214,13 +280,22 @@ def arguments():
     parser.add_argument("--scene", default=",".join(caustic_scenes.SCENES[:4]))
     parser.add_argument("--counts", default="60k,134k,670k")
     parser.add_argument("--methods", default=",".join(METHODS))
-    parser.add_argument("--method", action="append", default=[], metavar="NAME:RELAXATION:ESTIMATOR[:K,K]",
-                        help="one more; %%K stands for a K, and a K may be 'best'")
+    parser.add_argument(
+        "--method",
+        action="append",
+        default=[],
+        metavar="NAME:RELAXATION:ESTIMATOR[:K,K]",
+        help="one more; %%K stands for a K, and a K may be 'best'",
+    )
     parser.add_argument("--seeds", type=int, default=3)
     parser.add_argument("--threads", type=int, default=1)
     parser.add_argument("--json", help="the rows also to this file")
-    parser.add_argument("--sheet", action="store_true", help="crops side by side in FOLDER/SCENE.COUNT.png")
-    parser.add_argument("--keep", action="store_true", help="keep the photons' files for the next call")
+    parser.add_argument(
+        "--sheet", action="store_true", help="crops side by side in FOLDER/SCENE.COUNT.png"
+    )
+    parser.add_argument(
+        "--keep", action="store_true", help="keep the photons' files for the next call"
+    )
     return parser.parse_args()
 
 
@@ -238,9 +313,15 @@ def main():
             rows += new
             print_table(rows, scene, count, bench.texts)
             if options.sheet:
-                pictures = [(f"{r['method']} {r['k'] or ''}".strip(), bench.picture(r["method"], r["k"])) for r in new]
-                caustic_sheet.write(bench.path("png"), caustic_scenes.CAMERAS[scene][3],
-                                    [("reference", bench.reference)] + pictures)
+                pictures = [
+                    (f"{r['method']} {r['k'] or ''}".strip(), bench.picture(r["method"], r["k"]))
+                    for r in new
+                ]
+                caustic_sheet.write(
+                    bench.path("png"),
+                    caustic_scenes.CAMERAS[scene][3],
+                    [("reference", bench.reference)] + pictures,
+                )
     if options.json:
         with open(options.json, "w") as file:
             json.dump(rows, file, indent=1)

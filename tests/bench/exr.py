@@ -1,4 +1,6 @@
-"""OpenEXR files as cognac writes them (one part, scan lines, ZIP or no compression, half or float), to and from numpy."""
+"""OpenEXR files as cognac writes them (one part, scan lines, ZIP or no compression, half or
+float), to and from numpy."""
+
 import os
 import struct
 import zlib
@@ -22,8 +24,8 @@ def _header(data):
     while data[at]:
         name, at = _text(data, at)
         kind, at = _text(data, at)
-        size, = struct.unpack_from("<i", data, at)
-        attributes[name] = (kind, data[at + 4:at + 4 + size])
+        (size,) = struct.unpack_from("<i", data, at)
+        attributes[name] = (kind, data[at + 4 : at + 4 + size])
         at += 4 + size
     return attributes, at + 1
 
@@ -37,7 +39,8 @@ def _channels(data):
 
 
 def _unzip(packed, size):
-    """A block's bytes: they were parted into even and odd ones, and each replaced by the difference to the last."""
+    """A block's bytes: they were parted into even and odd ones, and each replaced by the
+    difference to the last."""
     if len(packed) == size:
         return packed
     raw = numpy.frombuffer(zlib.decompress(packed), numpy.uint8).astype(numpy.int64)
@@ -63,7 +66,7 @@ def read(path):
     for offset in struct.unpack_from("<%dQ" % -(-height // rows), data, at):
         y, size = struct.unpack_from("<2i", data, offset)
         y -= top
-        block = _unzip(data[offset + 8:offset + 8 + size], row_bytes * min(rows, height - y))
+        block = _unzip(data[offset + 8 : offset + 8 + size], row_bytes * min(rows, height - y))
         place = 0
         while place < len(block):
             for name, kind in layout:
@@ -79,13 +82,20 @@ def _attribute(name, kind, value):
 
 
 def _write_header(names, width, height, texts):
-    channels = b"".join(name.encode() + struct.pack("<B4i", 0, 2, 0, 1, 1) for name in names) + b"\0"
+    channels = (
+        b"".join(name.encode() + struct.pack("<B4i", 0, 2, 0, 1, 1) for name in names) + b"\0"
+    )
     window = struct.pack("<4i", 0, 0, width - 1, height - 1)
-    parts = [_attribute("channels", "chlist", channels), _attribute("compression", "compression", bytes([NONE])),
-             _attribute("dataWindow", "box2i", window), _attribute("displayWindow", "box2i", window),
-             _attribute("lineOrder", "lineOrder", b"\0"), _attribute("pixelAspectRatio", "float", struct.pack("<f", 1)),
-             _attribute("screenWindowCenter", "v2f", struct.pack("<2f", 0, 0)),
-             _attribute("screenWindowWidth", "float", struct.pack("<f", 1))]
+    parts = [
+        _attribute("channels", "chlist", channels),
+        _attribute("compression", "compression", bytes([NONE])),
+        _attribute("dataWindow", "box2i", window),
+        _attribute("displayWindow", "box2i", window),
+        _attribute("lineOrder", "lineOrder", b"\0"),
+        _attribute("pixelAspectRatio", "float", struct.pack("<f", 1)),
+        _attribute("screenWindowCenter", "v2f", struct.pack("<2f", 0, 0)),
+        _attribute("screenWindowWidth", "float", struct.pack("<f", 1)),
+    ]
     parts += [_attribute(name, "string", text.encode()) for name, text in sorted(texts.items())]
     return struct.pack("<2i", MAGIC, 2) + b"".join(parts) + b"\0"
 

@@ -1,8 +1,10 @@
 #!/usr/bin/python3
-"""Reference pictures of the caustics' close-ups (caustic_scenes.py): many progressive passes of the plainest estimator, all
-photons within a radius that shrinks (apa), in two halves NAME.a.exr and NAME.b.exr with seeds that no test uses, and their mean
-NAME.exr. Half the RMSE between the halves is the error bar of the mean. Stopped in any way and called again it goes on where it
-was; with more --photons it adds to what is there."""
+"""Reference pictures of the caustics' close-ups (caustic_scenes.py): many progressive passes of
+the plainest estimator, all photons within a radius that shrinks (apa), in two halves NAME.a.exr
+and NAME.b.exr with seeds that no test uses, and their mean NAME.exr. Half the RMSE between the
+halves is the error bar of the mean. Stopped in any way and called again it goes on where it was;
+with more --photons it adds to what is there."""
+
 import argparse
 import hashlib
 import json
@@ -15,7 +17,8 @@ import caustic_scenes
 import exr
 
 SEEDS = {"a": 900001, "b": 900002}
-# Of the first pass, in pixels: after 60 passes it is 0.8, when the kernel's standard deviation is a third of a pixel.
+# Of the first pass, in pixels: after 60 passes it is 0.8, when the kernel's standard deviation is a
+# third of a pixel.
 FIRST_RADIUS = 1.6
 UPDATE = 60  # seconds between safeguards of what is done
 
@@ -27,7 +30,8 @@ def put(path, text):
 
 
 def settle(path, text, half_paths):
-    """The scene in its place. When it is another one than last time what was made of that is useless."""
+    """The scene in its place. When it is another one than last time what was made of that is
+    useless."""
     old = open(path).read() if os.path.exists(path) else text
     if old != text:
         print(f"{path}: the scene has changed, beginning anew")
@@ -50,22 +54,34 @@ def combine(name, a, b, out, compare):
     photons = [int(t["photons"]) for t in (texts, other_texts)]
     weight = photons[0] / sum(photons)
     mean = {key: weight * planes[key] + (1 - weight) * others[key] for key in planes if key != "Z"}
-    run = subprocess.run([compare, "--json", "--layer", "caustic", a, b], check=True, capture_output=True, text=True)
+    run = subprocess.run(
+        [compare, "--json", "--layer", "caustic", a, b], check=True, capture_output=True, text=True
+    )
     level = float(exr.layer(mean, "caustic").mean())
     error = json.loads(run.stdout)["RMSE"] / 2
     pixel = caustic_scenes.footprint(name)
-    texts.update(photons=str(sum(photons)), passes=f"{texts['passes']} and {other_texts['passes']}",
-                 seed=f"{texts['seed']} and {other_texts['seed']}", error=f"{error:.6g}", mean=f"{level:.6g}",
-                 pixel=f"{pixel:.6g}")
+    texts.update(
+        photons=str(sum(photons)),
+        passes=f"{texts['passes']} and {other_texts['passes']}",
+        seed=f"{texts['seed']} and {other_texts['seed']}",
+        error=f"{error:.6g}",
+        mean=f"{level:.6g}",
+        pixel=f"{pixel:.6g}",
+    )
     exr.write(out, mean, texts)
-    return (f"{name}: {sum(photons) / 1e6:.1f} million photons, {texts['passes']} passes, last radius "
-            f"{float(texts['radius']) / pixel:.2f} pixels; error {error:.3g}, {100 * error / level:.2f}% of the mean {level:.4g}")
+    return (
+        f"{name}: {sum(photons) / 1e6:.1f} million photons, {texts['passes']} passes, "
+        f"last radius {float(texts['radius']) / pixel:.2f} pixels; "
+        f"error {error:.3g}, {100 * error / level:.2f}% of the mean {level:.4g}"
+    )
 
 
 class Maker:
     def __init__(self, options):
         self.options = options
-        self.program = caustic_scenes.Program(options.cognac, options.scenes, options.threads, options.library)
+        self.program = caustic_scenes.Program(
+            options.cognac, options.scenes, options.threads, options.library
+        )
         os.makedirs(options.folder, exist_ok=True)
 
     def path(self, *parts):
@@ -73,14 +89,24 @@ class Maker:
 
     def half(self, scene, name, letter, count, passes):
         """Into NAME.LETTER.exr, which holds whole passes at every moment."""
-        self.program.run(scene, "+C", "+FE", f"+O{self.path(name, letter, 'exr')}", f"--seed={SEEDS[letter]}",
-                         f"--passes={passes}", f"--update={UPDATE}", f"Declare=Photon_Count={count}", "-GA")
+        self.program.run(
+            scene,
+            "+C",
+            "+FE",
+            f"+O{self.path(name, letter, 'exr')}",
+            f"--seed={SEEDS[letter]}",
+            f"--passes={passes}",
+            f"--update={UPDATE}",
+            f"Declare=Photon_Count={count}",
+            "-GA",
+        )
 
     def make(self, name):
         o = self.options
         halves = {letter: self.path(name, letter, "exr") for letter in SEEDS}
         radius = FIRST_RADIUS * caustic_scenes.footprint(name)
-        settings = f"estimator {{ nearest {{ kernel epanechnikov }} }} progressive {{ radius {radius:.9g} }}"
+        estimator = "estimator { nearest { kernel epanechnikov } }"
+        settings = f"{estimator} progressive {{ radius {radius:.9g} }}"
         scene = self.path(name, "close.pov")
         settle(scene, caustic_scenes.text(name, o.scenes, settings), halves.values())
         count = self.count(name, scene)
@@ -111,7 +137,9 @@ def arguments():
     parser.add_argument("--scenes", default="scenes", help="the folder of the scenes")
     parser.add_argument("--library", action="append", default=[], help="more folders with includes")
     parser.add_argument("--folder", default="references", help="where the pictures go")
-    parser.add_argument("--photons", type=float, default=134e6, help="stored photons of both halves together")
+    parser.add_argument(
+        "--photons", type=float, default=134e6, help="stored photons of both halves together"
+    )
     parser.add_argument("--per-pass", type=float, default=1e6, help="stored photons of a pass")
     parser.add_argument("--threads", type=int, default=0)
     parser.add_argument("names", nargs="*", default=[], metavar="scene")
