@@ -19,6 +19,22 @@ static bool take_count(Cursor *cursor, int *out)
 	return count >= 1;
 }
 
+/* A whole number from least to most. */
+static bool take_whole(Cursor *cursor, int least, int most, int *out)
+{
+	Location where = cursor_where(cursor);
+	int number;
+	if (!cursor_take_int(cursor, &number))
+		return false;
+	bool fits = number >= least && number <= most;
+	if (fits)
+		*out = number;
+	else
+		diag_error(cursor->context->diag, where, "this must be from %d to %d, not %d",
+			   least, most, number);
+	return fits;
+}
+
 /* A number above 0. */
 static bool take_positive(Cursor *cursor, double *out)
 {
@@ -35,7 +51,29 @@ static bool take_positive(Cursor *cursor, double *out)
 
 /* ---- estimator ---- */
 
-static bool read_kernel(Cursor *cursor, Estimator *estimator)
+enum { MOST_PHOTONS = 10000, NEAREST_COUNT = 50 };
+
+static bool take_photons(Cursor *cursor, Estimator *estimator)
+{
+	return take_whole(cursor, 1, MOST_PHOTONS, &estimator->count);
+}
+
+static bool take_radius(Cursor *cursor, Estimator *estimator)
+{
+	return take_positive(cursor, &estimator->radius);
+}
+
+static bool take_diffusivity(Cursor *cursor, Estimator *estimator)
+{
+	return take_positive(cursor, &estimator->diffusivity);
+}
+
+static bool take_scale(Cursor *cursor, Estimator *estimator)
+{
+	return take_positive(cursor, &estimator->scale);
+}
+
+static bool take_kernel(Cursor *cursor, Estimator *estimator)
 {
 	static const struct {
 		Word word;
@@ -43,36 +81,41 @@ static bool read_kernel(Cursor *cursor, Estimator *estimator)
 	} rows[] = {
 		{W_uniform, KERNEL_UNIFORM},           {W_cone, KERNEL_CONE},
 		{W_epanechnikov, KERNEL_EPANECHNIKOV}, {W_gaussian, KERNEL_GAUSSIAN},
-		{W_isotropic, KERNEL_ISOTROPIC},
 	};
 	for (size_t i = 0; i < sizeof rows / sizeof *rows; i++)
 		if (cursor_accept_word(cursor, rows[i].word)) {
 			estimator->kernel = rows[i].kernel;
 			return true;
 		}
-	return cursor_expected(cursor, "a kernel");
+	cursor_expected(cursor, "a kernel");
+	if (!cursor_at_end(cursor))
+		cursor_next(cursor);
+	return false;
 }
 
-static bool read_estimator_item(Cursor *cursor, Estimator *estimator)
+/* The words of each method; deep and adaptive have theirs when they are built. */
+static const struct {
+	EstimatorKind kind;
+	Word word;
+	bool (*take)(Cursor *cursor, Estimator *estimator);
+} method_words[] = {
+	{ESTIMATOR_NEAREST, W_count, take_photons},
+	{ESTIMATOR_NEAREST, W_radius, take_radius},
+	{ESTIMATOR_NEAREST, W_kernel, take_kernel},
+	{ESTIMATOR_DIFFUSION, W_count, take_photons},
+	{ESTIMATOR_DIFFUSION, W_diffusivity, take_diffusivity},
+	{ESTIMATOR_FOOTPRINT, W_scale, take_scale},
+};
+
+static void read_estimator_item(Cursor *cursor, Estimator *estimator)
 {
-	if (cursor_accept_word(cursor, W_count))
-		return take_count(cursor, &estimator->count);
-	if (cursor_accept_word(cursor, W_radius))
-		return take_positive(cursor, &estimator->radius);
-	if (cursor_accept_word(cursor, W_diffusivity))
-		return take_positive(cursor, &estimator->diffusivity);
-	if (cursor_accept_word(cursor, W_scale))
-		return take_positive(cursor, &estimator->scale);
-	if (cursor_accept_word(cursor, W_network))
-		return cursor_take_string(cursor, &estimator->network);
-	if (cursor_accept_word(cursor, W_grid))
-		return take_count(cursor, &estimator->grid);
-	if (cursor_accept_word(cursor, W_updates))
-		return take_count(cursor, &estimator->updates);
-	if (cursor_accept_word(cursor, W_kernel))
-		return read_kernel(cursor, estimator);
+	for (size_t i = 0; i < sizeof method_words / sizeof *method_words; i++)
+		if (method_words[i].kind == estimator->kind &&
+		    cursor_accept_word(cursor, method_words[i].word)) {
+			method_words[i].take(cursor, estimator);
+			return;
+		}
 	cursor_unexpected(cursor);
-	return false;
 }
 
 static bool find_method(Word word, EstimatorKind *kind)
@@ -87,22 +130,30 @@ static bool find_method(Word word, EstimatorKind *kind)
 	}
 }
 
-/* nearest { ... }, or the word alone. */
-static bool read_method(Cursor *cursor, Estimator *estimator, Arena *arena)
+static bool is_built(const Estimator *estimator)
 {
+	return estimator->kind != ESTIMATOR_DEEP && estimator->kind != ESTIMATOR_ADAPTIVE;
+}
+
+/* nearest { ... }, or the word alone. */
+static bool read_method(Cursor *cursor, Estimator *estimator)
+{
+	Location where = cursor_where(cursor);
 	if (!find_method(cursor_peek_word(cursor), &estimator->kind))
 		return cursor_expected(cursor, "an estimator's method");
 	bool braces = cursor_peek_block(cursor);
 	const Node *method = cursor_next(cursor);
-	estimator->kernel = estimator->kind == ESTIMATOR_ADAPTIVE ? KERNEL_GAUSSIAN
-								  : KERNEL_EPANECHNIKOV;
-	if (!braces)
+	if (!is_built(estimator)) {
+		diag_error(cursor->context->diag, where, "this estimator is not built yet");
 		return true;
+	}
+	estimator->kernel = KERNEL_EPANECHNIKOV;
 	Cursor inside = cursor_begin(cursor->context, method);
-	while (!cursor_at_end(&inside))
+	while (braces && !cursor_at_end(&inside))
 		read_estimator_item(&inside, estimator);
-	if (estimator->network)
-		estimator->network = arena_strdup(arena, estimator->network);
+	if (estimator->kind == ESTIMATOR_NEAREST && !(estimator->radius > 0) &&
+	    estimator->count == 0)
+		estimator->count = NEAREST_COUNT;
 	return true;
 }
 
@@ -111,13 +162,24 @@ const Estimator *build_estimator(Context *context, const Node *block)
 	Cursor cursor = cursor_begin(context, block);
 	const Estimator *named = cursor_accept_item(&cursor, VALUE_ESTIMATOR);
 	Estimator estimator = {0};
-	if (!named && !read_method(&cursor, &estimator, context->builder->arena))
+	if (!named && !read_method(&cursor, &estimator))
 		return NULL;
 	cursor_end(&cursor);
 	return named ? named : arena_copy(context->builder->arena, &estimator, sizeof estimator);
 }
 
 /* ---- relaxation and progressive ---- */
+
+/* In parameter space, then in world space; one number stands for both. */
+static void take_iterations(Cursor *cursor, Relaxation *relaxation)
+{
+	enum { MOST = 1000 };
+	if (!take_whole(cursor, 0, MOST, &relaxation->parameter_iterations))
+		return;
+	relaxation->world_iterations = relaxation->parameter_iterations;
+	if (cursor_peek_float(cursor))
+		take_whole(cursor, 0, MOST, &relaxation->world_iterations);
+}
 
 static void read_relaxation_item(Cursor *cursor, Relaxation *relaxation)
 {
@@ -126,15 +188,11 @@ static void read_relaxation_item(Cursor *cursor, Relaxation *relaxation)
 	} else if (cursor_accept_word(cursor, W_plain)) {
 		relaxation->constrained = false;
 	} else if (cursor_accept_word(cursor, W_iterations)) {
-		double world;
-		cursor_take_int(cursor, &relaxation->parameter_iterations);
-		relaxation->world_iterations = relaxation->parameter_iterations;
-		if (cursor_accept_float(cursor, &world))
-			relaxation->world_iterations = (int)world;
+		take_iterations(cursor, relaxation);
 	} else if (cursor_accept_word(cursor, W_neighbors)) {
-		take_count(cursor, &relaxation->neighbors);
+		take_whole(cursor, 3, 1000, &relaxation->neighbors);
 	} else if (cursor_accept_word(cursor, W_repulsion_neighbors)) {
-		take_count(cursor, &relaxation->repulsion_neighbors);
+		take_whole(cursor, 1, 255, &relaxation->repulsion_neighbors);
 	} else if (cursor_accept_word(cursor, W_range)) {
 		take_positive(cursor, &relaxation->range);
 	} else {
@@ -267,6 +325,19 @@ static bool accept_global_other(Cursor *cursor, PhotonSettings *settings)
 	return true;
 }
 
+/* Some methods need to know where photons left their light. */
+static void check_coordinates(Context *context, const Node *block, const PhotonSettings *settings)
+{
+	if (settings->emitter_coordinates)
+		return;
+	if (settings->relaxation.on && settings->relaxation.constrained)
+		diag_error(context->diag, block->where,
+			   "constrained relaxation needs emitter_coordinates");
+	if (settings->estimator.kind == ESTIMATOR_FOOTPRINT)
+		diag_error(context->diag, block->where,
+			   "the estimator footprint needs emitter_coordinates");
+}
+
 void build_photons_global(Context *context, const Node *block, PhotonSettings *settings)
 {
 	Cursor cursor = cursor_begin(context, block);
@@ -275,6 +346,7 @@ void build_photons_global(Context *context, const Node *block, PhotonSettings *s
 		if (!accept_global_number(&cursor, settings) &&
 		    !accept_global_other(&cursor, settings))
 			cursor_unexpected(&cursor);
+	check_coordinates(context, block, settings);
 	if (settings->media_steps > 0)
 		build_unsupported(context, UNSUPPORTED_PHOTONS, block->where);
 }

@@ -15,8 +15,8 @@ typedef enum WordClass {
 	WORD_FUNCTION, /* a built-in function of expressions: sin, vcross, concat, dimension_size */
 	WORD_CONSTANT, /* stands for a value in expressions: x, pi, yes, clock, image_width */
 	WORD_COLOR, /* part of a colour expression: rgb, rgbft, color, red, filter */
-	WORD_DIRECTIVE, /* only after #: declare, macro, while... (some are plain words as well:
-			   default) */
+	WORD_DIRECTIVE, /* only after #: declare, macro, while... (those that are plain words as
+			   well, default and range, are plain) */
 	WORD_EXTENSION, /* a plain word after `#version unofficial cognac`, an ordinary identifier
 			   without */
 } WordClass;

@@ -101,6 +101,13 @@ static void note_lights(PhotonMap *map, const Scene *scene, const PhotonAims *ai
 	}
 }
 
+/* emitter_coordinates off. */
+static void forget_emitters(PhotonMap *map)
+{
+	for (uint32_t i = 0; i < map->count; i++)
+		memset(map->photons[i].emitter, 0, sizeof map->photons[i].emitter);
+}
+
 PhotonMap *photon_trace(const Scene *scene, const PhotonTraceOptions *options,
 			PhotonStatistics *statistics)
 {
@@ -114,6 +121,8 @@ PhotonMap *photon_trace(const Scene *scene, const PhotonTraceOptions *options,
 	PhotonMap *map = stopped(options) ? NULL : join_chunks(&job, &own);
 	if (map)
 		note_lights(map, scene, &aims);
+	if (map && !scene->settings.photons.emitter_coordinates)
+		forget_emitters(map);
 	for (long i = 0; i < job.count; i++)
 		free(job.chunks[i].buffer.photons);
 	arena_destroy(arena);
