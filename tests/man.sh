@@ -43,6 +43,10 @@ run_examples cognac-compare.1
 run_examples cognac-layer.1
 run_examples cognac-merge.1
 run_examples cognac-photons.7
-examples cognac-language.5 | sed '/^---/d' >language.pov
-status 0 language.pov
+# Each example of the language is a scene.
+examples cognac-language.5 | awk 'BEGIN { n = 1 } /^---/ { n++; next } { print >("language" n ".pov") }'
+[ -f language2.pov ] || fail "cognac-language.5 has too few examples"
+for scene in language*.pov; do
+	status 0 "$scene"
+done
 finish
