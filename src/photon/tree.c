@@ -1,6 +1,5 @@
 #include "photon/tree.h"
 
-#include <stdbool.h>
 #include <stdlib.h>
 
 #include "photon/tree_build.h"
@@ -27,17 +26,10 @@ float photon_tree_farthest(const Neighbor *found, int count)
 	return farthest;
 }
 
-#ifdef TREE_HAS_AVX2
-static bool has_avx2(void)
-{
-	return __builtin_cpu_supports("avx2") && __builtin_cpu_supports("bmi2");
-}
-#endif
-
 int photon_tree_nearest(const PhotonTree *tree, const NearestQuery *query, Neighbor *out)
 {
 #ifdef TREE_HAS_AVX2
-	if (has_avx2())
+	if (tree_has_avx2())
 		return tree_nearest_avx2(tree, query, out);
 #endif
 	return tree_nearest_plain(tree, query, out);
@@ -48,7 +40,7 @@ void photon_tree_within(const PhotonTree *tree, const float center[3], float rad
 {
 	WithinQuery query = {{center[0], center[1], center[2]}, radius};
 #ifdef TREE_HAS_AVX2
-	if (has_avx2()) {
+	if (tree_has_avx2()) {
 		tree_within_avx2(tree, &query, visit, data);
 		return;
 	}

@@ -58,10 +58,33 @@ INLINE Eight turned_min(Eight a)
 	return _mm256_min_ps(a, _mm256_permute_ps(a, _MM_SHUFFLE(2, 3, 0, 1)));
 }
 
-INLINE int eight_least(Eight a)
+/* The least of a mask's lanes, the first of several; the mask is not 0. */
+INLINE unsigned eight_least(Eight a, unsigned mask)
 {
+	__m256i bits = _mm256_setr_epi32(1, 2, 4, 8, 16, 32, 64, 128);
+	__m256i out = _mm256_andnot_si256(_mm256_set1_epi32((int)mask), bits);
+	__m256i in = _mm256_cmpeq_epi32(out, _mm256_setzero_si256());
+	a = _mm256_blendv_ps(_mm256_set1_ps(INFINITY), a, _mm256_castsi256_ps(in));
 	Eight same = _mm256_cmp_ps(a, turned_min(a), _CMP_EQ_OQ);
-	return __builtin_ctz((unsigned)_mm256_movemask_ps(same) | 128);
+	return (unsigned)__builtin_ctz((unsigned)_mm256_movemask_ps(same));
+}
+
+/* Which of an array's values is the least, the first of several; may read seven beyond. */
+INLINE int eight_find_least(float *values, int count)
+{
+	Eight least = _mm256_set1_ps(INFINITY);
+	for (int k = 0; k < TREE_WIDTH; k++)
+		values[count + k] = INFINITY;
+	for (int i = 0; i < count; i += TREE_WIDTH)
+		least = _mm256_min_ps(least, _mm256_loadu_ps(values + i));
+	least = turned_min(least);
+	for (int i = 0; i < count; i += TREE_WIDTH) {
+		Eight same = _mm256_cmp_ps(_mm256_loadu_ps(values + i), least, _CMP_EQ_OQ);
+		unsigned mask = (unsigned)_mm256_movemask_ps(same);
+		if (mask)
+			return i + __builtin_ctz(mask);
+	}
+	return 0;
 }
 
 INLINE unsigned eight_lights(const uint16_t *lights, uint16_t light)
@@ -77,6 +100,18 @@ INLINE __m256i packed_lanes(unsigned mask)
 	uint64_t bytes = _pdep_u64(mask, 0x0101010101010101u) * 0xff;
 	return _mm256_cvtepu8_epi32(
 		_mm_cvtsi64_si128((long long)_pext_u64(0x0706050403020100u, bytes)));
+}
+
+INLINE void eight_pack(float *out, Eight a, unsigned mask)
+{
+	_mm256_storeu_ps(out, _mm256_permutevar8x32_ps(a, packed_lanes(mask)));
+}
+
+/* first + lane * step of a mask's lanes. */
+INLINE void eight_numbers(uint32_t *out, uint32_t first, uint32_t step, unsigned mask)
+{
+	__m256i times = _mm256_mullo_epi32(packed_lanes(mask), _mm256_set1_epi32((int)step));
+	_mm256_storeu_si256((__m256i *)out, _mm256_add_epi32(times, _mm256_set1_epi32((int)first)));
 }
 
 INLINE void eight_compact(float *distance2, uint32_t *index, Eight d2, const uint32_t *from,

@@ -1,4 +1,4 @@
-#include "photon/tree_build.h"
+#include "photon/tree_order.h"
 
 #include <assert.h>
 #include <math.h>
@@ -32,49 +32,6 @@ void *tree_alloc(size_t count, size_t size)
 	return memory;
 }
 
-static uint32_t number_of(const TreeItems *order, uint32_t at)
-{
-	uint32_t number;
-	size_t words = (size_t)order->words;
-	memcpy(&number, &order->items[words * at + words - 1], sizeof number);
-	return number;
-}
-
-static void fill_slot(TreeLeaf *leaf, int slot, const float *at)
-{
-	for (int k = 0; k < 3; k++)
-		leaf->at[k][slot] = at ? at[k] : INFINITY;
-}
-
-static void fill_leaves(PhotonTree *tree, const TreePoints *points, const TreeItems *order)
-{
-	uint32_t slots = tree->leaf_count * TREE_WIDTH;
-	tree->leaves = tree_alloc(tree->leaf_count, sizeof(TreeLeaf));
-	for (uint32_t i = 0; i < slots; i++) {
-		TreeLeaf *leaf = &tree->leaves[i / TREE_WIDTH];
-		bool there = i < points->count;
-		fill_slot(leaf, i % TREE_WIDTH,
-			  there ? &order->items[(size_t)order->words * i] : NULL);
-		leaf->index[i % TREE_WIDTH] = there ? number_of(order, i) : 0;
-	}
-}
-
-static void fill_emitters(PhotonTree *tree, const TreePoints *points, const TreeItems *order)
-{
-	uint32_t slots = tree->leaf_count * TREE_WIDTH;
-	tree->emitters = tree_alloc(tree->leaf_count, sizeof(TreeLeaf));
-	tree->lights = tree_alloc(slots, sizeof(uint16_t));
-	for (uint32_t i = 0; i < slots; i++) {
-		bool there = i < points->count;
-		uint32_t number = there ? number_of(order, i) : 0;
-		fill_slot(&tree->emitters[i / TREE_WIDTH], i % TREE_WIDTH,
-		          there ? row(points->emitter, points->stride, number) : NULL);
-		memcpy(&tree->lights[i],
-		       (const char *)points->light + (size_t)points->stride * number,
-		       sizeof *tree->lights);
-	}
-}
-
 static void clear_boxes(TreeBoxes *boxes)
 {
 	for (int k = 0; k < 3; k++) {
@@ -85,79 +42,53 @@ static void clear_boxes(TreeBoxes *boxes)
 	}
 }
 
-/* Child `slot` of a node covers the values from lo to hi; the infinities of missing points do
- * not count. */
-static void cover(TreeBoxes *boxes, int slot, int axis, const float *lo, const float *hi)
-{
-	float least = INFINITY, most = -INFINITY;
-	for (int i = 0; i < TREE_WIDTH; i++) {
-		float top = hi[i] < INFINITY ? hi[i] : -INFINITY;
-		least = lo[i] < least ? lo[i] : least;
-		most = top > most ? top : most;
-	}
-	boxes->lo[axis][slot] = least;
-	boxes->hi[axis][slot] = most;
-}
-
-static TreeBoxes *boxes_of_leaves(const TreeLeaf *leaves, uint32_t leaf_count, uint32_t count)
+/* Only the last node of a level may lack children. */
+static TreeBoxes *make_boxes(uint32_t count)
 {
 	TreeBoxes *boxes = tree_alloc(count, sizeof *boxes);
-	for (uint32_t n = 0; n < count; n++)
-		clear_boxes(&boxes[n]);
-	for (uint32_t n = 0; n < leaf_count; n++) {
-		for (int k = 0; k < 3; k++)
-			cover(&boxes[n / TREE_WIDTH], (int)(n % TREE_WIDTH), k, leaves[n].at[k],
-			      leaves[n].at[k]);
-	}
+	clear_boxes(&boxes[count - 1]);
 	return boxes;
 }
 
-static TreeBoxes *boxes_of_nodes(const TreeBoxes *nodes, uint32_t node_count, uint32_t count)
-{
-	TreeBoxes *boxes = tree_alloc(count, sizeof *boxes);
-	for (uint32_t n = 0; n < count; n++)
-		clear_boxes(&boxes[n]);
-	for (uint32_t n = 0; n < node_count; n++) {
-		for (int k = 0; k < 3; k++)
-			cover(&boxes[n / TREE_WIDTH], (int)(n % TREE_WIDTH), k, nodes[n].lo[k],
-			      nodes[n].hi[k]);
-	}
-	return boxes;
-}
-
-static void build_levels(PhotonTree *tree)
+static void make_levels(PhotonTree *tree, bool with_emitters)
 {
 	uint32_t below = tree->leaf_count;
 	do {
-		TreeLevel *level = &tree->levels[tree->level_count], *last = level - 1;
-		bool first = tree->level_count++ == 0;
+		TreeLevel *level = &tree->levels[tree->level_count++];
 		assert(tree->level_count <= TREE_MAX_LEVELS);
 		level->count = (below + TREE_WIDTH - 1) / TREE_WIDTH;
-		level->boxes = first ? boxes_of_leaves(tree->leaves, below, level->count)
-		                     : boxes_of_nodes(last->boxes, below, level->count);
-		if (tree->emitters)
-			level->emitter_boxes = first ? boxes_of_leaves(tree->emitters, below,
-								       level->count)
-						     : boxes_of_nodes(last->emitter_boxes, below,
-								      level->count);
+		level->boxes = make_boxes(level->count);
+		if (with_emitters)
+			level->emitter_boxes = make_boxes(level->count);
 		below = level->count;
 	} while (below > 1);
 }
 
-PhotonTree *photon_tree_create(const TreePoints *points)
+PhotonTree *tree_create(const TreePoints *points, const TreeOrderer *orderer)
 {
 	PhotonTree *tree = memory_alloc(sizeof *tree);
 	*tree = (PhotonTree){.count = points->count};
 	tree->leaf_count = (points->count + TREE_WIDTH - 1) / TREE_WIDTH;
 	if (points->count == 0)
 		return tree;
-	TreeItems order = tree_order(points);
-	fill_leaves(tree, points, &order);
-	if (points->emitter)
-		fill_emitters(tree, points, &order);
-	free(order.items);
-	build_levels(tree);
+	assert(points->count <= INT32_MAX);
+	tree->leaves = tree_alloc(tree->leaf_count, sizeof(TreeLeaf));
+	if (points->emitter) {
+		tree->emitters = tree_alloc(tree->leaf_count, sizeof(TreeLeaf));
+		tree->lights = tree_alloc((size_t)tree->leaf_count * TREE_WIDTH, sizeof(uint16_t));
+	}
+	make_levels(tree, points->emitter);
+	tree_order(tree, points, orderer);
 	return tree;
+}
+
+PhotonTree *photon_tree_create(const TreePoints *points)
+{
+#ifdef TREE_HAS_AVX2
+	if (tree_has_avx2())
+		return tree_create(points, &tree_orderer_avx2);
+#endif
+	return tree_create(points, &tree_orderer_plain);
 }
 
 /* ---- Morton order ---- */

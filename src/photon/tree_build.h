@@ -2,6 +2,7 @@
 #ifndef PHOTON_TREE_BUILD_H
 #define PHOTON_TREE_BUILD_H
 
+#include <stdbool.h>
 #include <stddef.h>
 
 #include "photon/tree.h"
@@ -37,14 +38,6 @@ struct PhotonTree {
 /* Memory of a multiple of 64 bytes, aligned to it; for free(). */
 void *tree_alloc(size_t count, size_t size);
 
-/* The points in the tree's order, `words` floats each: position, with more than four words
- * emitter coordinates, and last the bits of the point's number. items is for free(). */
-typedef struct TreeItems {
-	float *items;
-	int words;
-} TreeItems;
-TreeItems tree_order(const TreePoints *points);
-
 typedef struct WithinQuery {
 	float center[3], radius;
 } WithinQuery;
@@ -52,6 +45,10 @@ typedef struct WithinQuery {
 /* The queries, compiled for several instruction sets; photon/tree.c chooses. */
 #if defined(__x86_64__) && defined(__GNUC__)
 #define TREE_HAS_AVX2 1
+static inline bool tree_has_avx2(void)
+{
+	return __builtin_cpu_supports("avx2") && __builtin_cpu_supports("bmi2");
+}
 int tree_nearest_avx2(const PhotonTree *tree, const NearestQuery *query, Neighbor *out);
 void tree_within_avx2(const PhotonTree *tree, const WithinQuery *query, TreeVisit *visit,
                       void *data);

@@ -1,164 +1,102 @@
 /*
  * The order of the tree's points: a run of up to 8^l points is cut into eight runs of 8^(l-1) by
  * three binary cuts, each at the multiple of the child's size that is nearest to the middle,
- * across the dimension of largest extent.
+ * across the dimension of largest extent. Runs that are a child are that node's box, and those of
+ * up to eight points a leaf.
  *
- * A cut is a selection (Floyd & Rivest 1975): two codes from a sorted sample, a little to either
- * side of the wanted place, part the items in three, and the search goes on among the few in the
- * middle. Items are parted without branches, each written to three places, one of which then moves
- * on. The code is the key's bits made to rise with the float, with the item's number behind, so no
- * two are equal, not even NaNs.
+ * A point's place is decided by keys and numbers alone, so any instruction set and any number of
+ * threads leave the same tree.
  */
+#include "photon/tree_order.h"
+
 #include <math.h>
 #include <stdbool.h>
-#include <string.h>
-
-#include "photon/tree_build.h"
-
-#define INLINE static inline __attribute__((always_inline))
+#include <stdlib.h>
 
 typedef struct Order {
-	float *items, *scratch; /* of `words` floats each: coordinates first, the number last */
-	int words, dimensions;
-	float weight[6];
+	PhotonTree *tree;
+	const TreePoints *points;
+	const TreeOrderer *orderer;
+	int32_t *columns[2][TREE_COLUMNS]; /* the sides */
+	int dimensions;
+	float weight[TREE_COLUMNS];
 } Order;
 
-enum { WORDS_3 = 4, WORDS_6 = 8, MOST_SAMPLES = 127 };
+/* Points from first on that are children of a node of the level, or several of them. */
+typedef struct Part {
+	uint32_t first, count, child; /* points a child */
+	int level, side;
+} Part;
 
-/* ---- selection ---- */
-
-INLINE uint64_t code_of(const float *item, int words, int axis)
+static const float *row(const float *base, uint32_t stride, uint32_t i)
 {
-	int32_t key;
-	uint32_t number;
-	memcpy(&key, &item[axis], sizeof key);
-	memcpy(&number, &item[words - 1], sizeof number);
-	uint32_t rising = (uint32_t)key ^ ((uint32_t)(key >> 31) | 0x80000000u);
-	return (uint64_t)rising << 32 | number;
+	return (const float *)((const char *)base + (size_t)stride * i);
 }
 
-/* Items, and as much room beside them. */
-typedef struct Run {
-	float *items, *scratch;
-	uint32_t count;
-} Run;
-
-/* Codes of items: those under `low` come first, those from `high` on last. */
-typedef struct Pivots { uint64_t low, high; } Pivots;
-
-typedef struct Parts { uint32_t first, middle; } Parts;
-
-/* The last grow downwards from the scratch's end, towards the middle ones, which grow from its
- * start. */
-INLINE Parts partition(Run run, int words, int axis, Pivots pivots)
+static TreeRun run_of(const Order *o, const Part *part)
 {
-	size_t step = (size_t)words, size = sizeof(float) * step;
-	size_t first = 0, middle = 0, last = run.count - 1;
-	for (size_t i = 0; i < run.count; i++) {
-		float *item = run.items + step * i, copy[WORDS_6];
-		uint64_t code = code_of(item, words, axis);
-		memcpy(copy, item, size);
-		memcpy(run.items + step * first, copy, size);
-		memcpy(run.scratch + step * middle, copy, size);
-		memcpy(run.scratch + step * last, copy, size);
-		first += code < pivots.low;
-		middle += (code >= pivots.low) & (code < pivots.high);
-		last -= code >= pivots.high;
+	TreeRun run = {.dimensions = o->dimensions, .count = part->count};
+	for (int k = 0; k <= o->dimensions; k++) {
+		run.here[k] = o->columns[part->side][k] + part->first;
+		run.there[k] = o->columns[!part->side][k] + part->first;
 	}
-	memcpy(run.items + step * first, run.scratch, size * middle);
-	memcpy(run.items + step * (first + middle), run.scratch + step * (last + 1),
-	       size * (run.count - first - middle));
-	return (Parts){(uint32_t)first, (uint32_t)middle};
+	return run;
 }
 
-static void sort_codes(uint64_t *codes, int count)
+/* ---- leaves and boxes ---- */
+
+static void set_box(TreeBoxes *boxes, uint32_t child, const int32_t *lo, const int32_t *hi)
 {
-	for (int i = 1; i < count; i++) {
-		uint64_t code = codes[i];
-		int k = i;
-		for (; k > 0 && codes[k - 1] > code; k--)
-			codes[k] = codes[k - 1];
-		codes[k] = code;
+	TreeBoxes *b = &boxes[child / TREE_WIDTH];
+	for (int k = 0; k < 3; k++) {
+		b->lo[k][child % TREE_WIDTH] = tree_value(lo[k]);
+		b->hi[k][child % TREE_WIDTH] = tree_value(hi[k]);
 	}
 }
 
-/* Two codes that most likely have the wanted item's between them. */
-INLINE Pivots choose_pivots(Run run, uint32_t wanted, int words, int axis)
+static void set_boxes(const Order *o, const Part *part, const TreeExtent *e)
 {
-	uint64_t codes[MOST_SAMPLES], count = run.count;
-	int samples = count >= 16384 ? MOST_SAMPLES : count >= 1024 ? 31 : count >= 100 ? 9 : 3;
-	for (int i = 0; i < samples; i++) {
-		uint64_t from = (uint64_t)i * count / (uint64_t)samples;
-		codes[i] = code_of(run.items + (size_t)words * from, words, axis);
-	}
-	sort_codes(codes, samples);
-	int at = (int)(wanted * (uint64_t)samples / count), beyond = (samples + 8) / 16;
-	int low = at - beyond, high = at + beyond;
-	Pivots pivots = {codes[low > 0 ? low : 0], codes[high < samples ? high : samples - 1]};
-	if (pivots.high <= pivots.low) /* so that at least one item is taken from the others */
-		pivots.high = pivots.low + 1;
-	return pivots;
+	const TreeLevel *level = &o->tree->levels[part->level];
+	uint32_t child = part->first / part->child;
+	set_box(level->boxes, child, e->lo, e->hi);
+	if (level->emitter_boxes)
+		set_box(level->emitter_boxes, child, e->lo + 3, e->hi + 3);
 }
 
-static Run part_of(Run run, uint32_t first, uint32_t count, int words)
+static void fill_values(TreeLeaf *leaf, int32_t *const *columns, const int32_t *numbers,
+			uint32_t count)
 {
-	size_t at = (size_t)words * first;
-	return (Run){run.items + at, run.scratch + at, count};
+	for (uint32_t i = 0; i < TREE_WIDTH; i++)
+		leaf->index[i] = i < count ? (uint32_t)numbers[i] : 0;
+	for (int k = 0; k < 3; k++) {
+		for (uint32_t i = 0; i < TREE_WIDTH; i++)
+			leaf->at[k][i] = i < count ? tree_value(columns[k][i]) : INFINITY;
+	}
 }
 
-/* The first `left` items come before the others along the axis. */
-INLINE void select_items(Run run, uint32_t left, int words, int axis)
+static void fill_leaf(const Order *o, uint32_t number, const TreeRun *run)
 {
-	while (left > 0 && left < run.count) {
-		Parts parts = partition(run, words, axis, choose_pivots(run, left, words, axis));
-		uint32_t both = parts.first + parts.middle;
-		if (left <= parts.first) {
-			run.count = parts.first;
-		} else if (left <= both) {
-			run = part_of(run, parts.first, parts.middle, words);
-			left -= parts.first;
-		} else {
-			run = part_of(run, both, run.count - both, words);
-			left -= both;
-		}
-	}
+	const int32_t *numbers = run->here[run->dimensions];
+	TreeLeaf *leaf = &o->tree->leaves[number];
+	fill_values(leaf, run->here, numbers, run->count);
+	if (!o->tree->emitters)
+		return;
+	fill_values(&o->tree->emitters[number], run->here + 3, numbers, run->count);
+	for (uint32_t i = 0; i < TREE_WIDTH; i++)
+		memcpy(&o->tree->lights[number * TREE_WIDTH + i],
+		       (const char *)o->points->light +
+			       (size_t)o->points->stride * leaf->index[i],
+		       sizeof *o->tree->lights);
 }
 
 /* ---- cuts ---- */
 
-typedef struct Extent { float lo[WORDS_6], hi[WORDS_6]; } Extent;
-
-INLINE void widen(Extent *e, const float *item, int words)
-{
-	for (int k = 0; k < words; k++) {
-		e->lo[k] = item[k] < e->lo[k] ? item[k] : e->lo[k];
-		e->hi[k] = item[k] > e->hi[k] ? item[k] : e->hi[k];
-	}
-}
-
-/* Two at a time, so that one's minimum need not wait for the other's. */
-INLINE void extent_of(Extent *e, const float *items, uint32_t count, int words)
-{
-	Extent odd;
-	for (int k = 0; k < words; k++) {
-		e->lo[k] = odd.lo[k] = INFINITY;
-		e->hi[k] = odd.hi[k] = -INFINITY;
-	}
-	for (uint32_t i = 0; i + 1 < count; i += 2) {
-		widen(e, items + (size_t)words * i, words);
-		widen(&odd, items + (size_t)words * (i + 1), words);
-	}
-	widen(e, items + (size_t)words * (count - 1), words);
-	widen(e, odd.lo, words);
-	widen(e, odd.hi, words);
-}
-
-static int widest(const Order *o, const Extent *e)
+static int widest(const Order *o, const TreeExtent *e)
 {
 	int best = 0;
 	float most = -1;
 	for (int k = 0; k < o->dimensions; k++) {
-		float width = o->weight[k] * (e->hi[k] - e->lo[k]);
+		float width = o->weight[k] * (tree_value(e->hi[k]) - tree_value(e->lo[k]));
 		if (width > most) {
 			most = width;
 			best = k;
@@ -167,69 +105,85 @@ static int widest(const Order *o, const Extent *e)
 	return best;
 }
 
-static void cut(const Order *o, uint32_t first, uint32_t count, uint32_t left)
+/* Sets the boxes that a part's extent says, and the leaf if it is one. */
+static bool is_finished(const Order *o, Part *part, const TreeRun *run, const TreeExtent *e)
 {
-	size_t at = (size_t)o->words * first;
-	Run run = {o->items + at, o->scratch + at, count};
-	Extent e;
-	if (o->words == WORDS_3) {
-		extent_of(&e, run.items, count, WORDS_3);
-		select_items(run, left, WORDS_3, widest(o, &e));
-	} else {
-		extent_of(&e, run.items, count, WORDS_6);
-		select_items(run, left, WORDS_6, widest(o, &e));
+	while (part->count <= part->child) {
+		set_boxes(o, part, e);
+		if (part->level == 0) {
+			fill_leaf(o, part->first / TREE_WIDTH, run);
+			return true;
+		}
+		part->level--;
+		part->child /= TREE_WIDTH;
 	}
+	return false;
 }
 
-/* Cuts a run of several children's size in two until it is one child. */
-static void arrange(const Order *o, uint32_t first, uint32_t count, uint32_t child)
+static void arrange(const Order *o, Part part)
 {
-	while (child >= TREE_WIDTH && count <= child)
-		child /= TREE_WIDTH;
-	if (count <= TREE_WIDTH)
+	TreeRun run = run_of(o, &part);
+	TreeExtent e;
+	o->orderer->extent(&run, &e);
+	if (is_finished(o, &part, &run, &e))
 		return;
-	uint32_t children = (count + child - 1) / child, left = children / 2 * child;
-	cut(o, first, count, left);
-#pragma omp task if (count > 20000)
-	arrange(o, first, left, child);
-	arrange(o, first + left, count - left, child);
+	uint32_t children = (part.count + part.child - 1) / part.child;
+	Part left = part, right = part;
+	left.count = children / 2 * part.child;
+	right.first += left.count;
+	right.count -= left.count;
+	right.side = !part.side;
+	o->orderer->cut(&run, widest(o, &e), left.count);
+#pragma omp task if (part.count > 20000)
+	arrange(o, left);
+	arrange(o, right);
 #pragma omp taskwait
 }
 
-static const float *row(const float *base, uint32_t stride, uint32_t i)
-{
-	return (const float *)((const char *)base + (size_t)stride * i);
-}
+/* ---- columns ---- */
 
-static void copy_points(const Order *o, const TreePoints *points)
+static void copy_points(const Order *o)
 {
+	const TreePoints *points = o->points;
 	for (uint32_t i = 0; i < points->count; i++) {
-		float *item = o->items + (size_t)o->words * i;
-		memcpy(item, row(points->position, points->stride, i), 3 * sizeof(float));
-		if (o->dimensions > 3) {
-			memcpy(item + 3, row(points->emitter, points->stride, i),
-			       3 * sizeof(float));
-			item[6] = 0;
-		}
-		memcpy(&item[o->words - 1], &i, sizeof i);
+		const float *at = row(points->position, points->stride, i);
+		for (int k = 0; k < 3; k++)
+			o->columns[0][k][i] = tree_key(at[k]);
+		o->columns[0][o->dimensions][i] = (int32_t)i;
+	}
+	for (uint32_t i = 0; o->dimensions > 3 && i < points->count; i++) {
+		const float *at = row(points->emitter, points->stride, i);
+		for (int k = 0; k < 3; k++)
+			o->columns[0][k + 3][i] = tree_key(at[k]);
 	}
 }
 
-TreeItems tree_order(const TreePoints *points)
+/* One piece of memory for both sides; for free(). */
+static int32_t *make_columns(Order *o)
 {
-	bool six = points->emitter && points->emitter_weight > 0;
-	Order o = {.words = six ? WORDS_6 : WORDS_3, .dimensions = six ? 6 : 3};
-	size_t floats = (size_t)o.words * points->count;
-	o.items = tree_alloc(2 * floats, sizeof(float));
-	o.scratch = o.items + floats;
-	copy_points(&o, points);
+	size_t rows = ((size_t)o->points->count + 2 * TREE_WIDTH - 1) / TREE_WIDTH * TREE_WIDTH;
+	int columns = o->dimensions + 1;
+	int32_t *memory = tree_alloc(2 * (size_t)columns * rows, sizeof *memory);
+	for (int k = 0; k < columns; k++) {
+		o->columns[0][k] = memory + rows * (size_t)k;
+		o->columns[1][k] = memory + rows * (size_t)(k + columns);
+	}
+	return memory;
+}
+
+void tree_order(PhotonTree *tree, const TreePoints *points, const TreeOrderer *orderer)
+{
+	Order o = {.tree = tree, .points = points, .orderer = orderer};
+	o.dimensions = points->emitter ? 6 : 3;
+	int32_t *memory = make_columns(&o);
+	copy_points(&o);
 	for (int k = 0; k < 6; k++)
 		o.weight[k] = k < 3 ? 1 : points->emitter_weight;
-	uint32_t largest = TREE_WIDTH;
-	while (largest <= UINT32_MAX / TREE_WIDTH && largest * TREE_WIDTH < points->count)
-		largest *= TREE_WIDTH;
+	Part all = {0, points->count, TREE_WIDTH, 0, 0};
+	for (; all.level + 1 < tree->level_count; all.level++)
+		all.child *= TREE_WIDTH;
 #pragma omp parallel if (points->count > 20000)
 #pragma omp single
-	arrange(&o, 0, points->count, largest);
-	return (TreeItems){o.items, o.words};
+	arrange(&o, all);
+	free(memory);
 }

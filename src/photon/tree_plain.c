@@ -67,11 +67,22 @@ INLINE unsigned eight_most(Eight a, float bound)
 	return mask;
 }
 
-INLINE int eight_least(Eight a)
+/* The least of a mask's lanes, the first of several; the mask is not 0. */
+INLINE unsigned eight_least(Eight a, unsigned mask)
+{
+	unsigned least = (unsigned)__builtin_ctz(mask);
+	for (unsigned i = least + 1; i < TREE_WIDTH; i++)
+		least = (mask >> i & 1) && a.at[i] < a.at[least] ? i : least;
+	return least;
+}
+
+/* Which of an array's values is the least, the first of several; the array has room for seven
+ * more. */
+INLINE int eight_find_least(float *values, int count)
 {
 	int least = 0;
-	for (int i = 1; i < TREE_WIDTH; i++)
-		least = a.at[i] < a.at[least] ? i : least;
+	for (int i = 1; i < count; i++)
+		least = values[i] < values[least] ? i : least;
 	return least;
 }
 
@@ -81,6 +92,24 @@ INLINE unsigned eight_lights(const uint16_t *lights, uint16_t light)
 	for (int i = 0; i < TREE_WIDTH; i++)
 		mask |= (unsigned)(lights[i] == light) << i;
 	return mask;
+}
+
+INLINE void eight_pack(float *out, Eight a, unsigned mask)
+{
+	for (int i = 0, count = 0; i < TREE_WIDTH; i++) {
+		out[count] = a.at[i];
+		count += mask >> i & 1;
+	}
+}
+
+/* first + lane * step of a mask's lanes. */
+INLINE void eight_numbers(uint32_t *out, uint32_t first, uint32_t step, unsigned mask)
+{
+	int count = 0;
+	for (uint32_t i = 0; i < TREE_WIDTH; i++) {
+		out[count] = first + i * step;
+		count += mask >> i & 1;
+	}
 }
 
 /* The indices may lie where they are packed to, ahead of the place. */

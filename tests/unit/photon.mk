@@ -5,3 +5,6 @@ tests_unit_test_photon_LDADD = libphoton.a libbase.a
 check_PROGRAMS += tests/unit/test_relax
 tests_unit_test_relax_SOURCES = tests/unit/test_relax.c tests/unit/check.h
 tests_unit_test_relax_LDADD = libphoton.a libscene.a libbase.a
+check_PROGRAMS += tests/unit/test_tree
+tests_unit_test_tree_SOURCES = tests/unit/test_tree.c tests/unit/check.h
+tests_unit_test_tree_LDADD = libphoton.a libbase.a

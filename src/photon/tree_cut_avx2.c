@@ -1,0 +1,68 @@
+/* Extents and cuts for processors with AVX2: eight numbers are one register. Nothing on others. */
+#include "photon/tree_order.h"
+
+#ifdef TREE_HAS_AVX2
+
+#pragma GCC target("avx2,bmi,bmi2,popcnt")
+#include <immintrin.h>
+
+#define INLINE static inline __attribute__((always_inline))
+
+typedef __m256i Eight;
+
+INLINE Eight lanes_load(const int32_t *at) { return _mm256_loadu_si256((const __m256i *)at); }
+INLINE void lanes_store(int32_t *at, Eight a) { _mm256_storeu_si256((__m256i *)at, a); }
+INLINE Eight lanes_min(Eight a, Eight b) { return _mm256_min_epi32(a, b); }
+INLINE Eight lanes_max(Eight a, Eight b) { return _mm256_max_epi32(a, b); }
+
+INLINE int32_t lanes_least(Eight a)
+{
+	__m128i half = _mm_min_epi32(_mm256_castsi256_si128(a), _mm256_extracti128_si256(a, 1));
+	half = _mm_min_epi32(half, _mm_shuffle_epi32(half, _MM_SHUFFLE(1, 0, 3, 2)));
+	half = _mm_min_epi32(half, _mm_shuffle_epi32(half, _MM_SHUFFLE(2, 3, 0, 1)));
+	return _mm_cvtsi128_si32(half);
+}
+
+INLINE int32_t lanes_most(Eight a)
+{
+	return ~lanes_least(_mm256_xor_si256(a, _mm256_set1_epi32(-1)));
+}
+
+INLINE unsigned lanes_mask(Eight a) { return (unsigned)_mm256_movemask_ps(_mm256_castsi256_ps(a)); }
+
+INLINE unsigned lanes_below(Eight a, int32_t b)
+{
+	return lanes_mask(_mm256_cmpgt_epi32(_mm256_set1_epi32(b), a));
+}
+
+INLINE unsigned lanes_equal(Eight a, int32_t b)
+{
+	return lanes_mask(_mm256_cmpeq_epi32(a, _mm256_set1_epi32(b)));
+}
+
+INLINE Eight lanes_packed(Eight a, unsigned mask)
+{
+	uint64_t bytes = _pdep_u64(mask, 0x0101010101010101u) * 0xff;
+	__m128i lanes = _mm_cvtsi64_si128((long long)_pext_u64(0x0706050403020100u, bytes));
+	return _mm256_permutevar8x32_epi32(a, _mm256_cvtepu8_epi32(lanes));
+}
+
+INLINE uint32_t lanes_count(const int32_t *keys, uint32_t count, int32_t bound)
+{
+	__m256i sums = _mm256_setzero_si256(), all = _mm256_set1_epi32(bound);
+	uint32_t i = 0;
+	for (; i + TREE_WIDTH <= count; i += TREE_WIDTH)
+		sums = _mm256_sub_epi32(sums, _mm256_cmpgt_epi32(all, lanes_load(keys + i)));
+	__m128i half = _mm256_extracti128_si256(sums, 1);
+	half = _mm_add_epi32(half, _mm256_castsi256_si128(sums));
+	half = _mm_add_epi32(half, _mm_shuffle_epi32(half, _MM_SHUFFLE(1, 0, 3, 2)));
+	uint32_t sum = (uint32_t)_mm_cvtsi128_si32(half) + (uint32_t)_mm_extract_epi32(half, 1);
+	for (; i < count; i++)
+		sum += keys[i] < bound;
+	return sum;
+}
+
+#define ORDERER tree_orderer_avx2
+#include "photon/tree_cut.h"
+
+#endif
