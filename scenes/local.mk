@@ -2,7 +2,7 @@
 # SCENES_FLAGS='+W640 +H480 Declare=Photon_Count=1000000' better.
 SCENES = cognac crab dragon egg halogen pool pool_night prism ring rings wine
 SCENES_FLAGS = +W320 +H240
-EXTRA_DIST += $(SCENES:%=scenes/%.pov) scenes/cognac.png scenes/dragon.py
+EXTRA_DIST += $(SCENES:%=scenes/%.pov) scenes/cognac.png scenes/dragon.py scenes/relaxation.png
 CLEANFILES += pictures/*.png pictures/dragon.inc
 
 scenes: $(SCENES:%=pictures/%.png)
@@ -18,8 +18,9 @@ pictures/dragon.inc: $(srcdir)/scenes/dragon.py
 	python3 $< >$@.new && mv $@.new $@
 
 # Figures 1, 6, 8 and 9 of Spencer and Jones (2013) with scenes of ours, into figures/ of the build directory: an hour or two.
-# A run that was stopped goes on. `make figures-relaxation FIGURES_SHARE=0.05` for a quick look, FIGURES='6 8' for some.
-FIGURES = 1 6 8 9
+# A run that was stopped goes on. `make figures-relaxation FIGURES_SHARE=0.05` for a quick look, FIGURES='6 8' for some; figure 0
+# is scenes/relaxation.png.
+FIGURES = 0 1 6 8 9
 FIGURES_SHARE = 1
 EXTRA_DIST += scenes/figures
 figures-relaxation: cognac$(EXEEXT) cognac-layer$(EXEEXT)

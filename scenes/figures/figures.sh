@@ -1,6 +1,6 @@
 #!/bin/sh
 # Figures 1, 6, 8 and 9 of Spencer and Jones (2013) with scenes of ours: FOLDER/figure1.png ... A panel is a file; those that are
-# there are left alone, so a run that was stopped goes on. Every panel of a scene shows the same photons.
+# there are left alone, so a run that was stopped goes on. Every panel of a scene shows the same photons. Figure 0 is README's.
 #
 # usage: COGNAC=... LAYER=... SOURCES=... sh figures.sh FOLDER SHARE FIGURE...     SHARE: of the photons, 1 for the paper's counts
 set -eu
@@ -46,13 +46,14 @@ draw()
 	layer=$2
 	out=$3.png
 	shift 3
-	[ "$out" -nt "$source" ] || "$LAYER" "$@" -o "$out" "$source" "$layer"
+	"$LAYER" "$@" -o "$out" "$source" "$layer"
 }
 
-# sheet FIGURE WIDTH HEIGHT: the panels with captions that tell how many photons there are.
+# sheet FIGURE WIDTH HEIGHT: the panels with captions that tell how many photons there are, from FIGUREa.json.
 sheet()
 {
-	count=$(sed -n 's/.*"stored": \([0-9]*\).*/\1/p' "${4:-$1a}.json" | head -n 1)
+	count=$(sed -n 's/.*"stored": \([0-9]*\).*/\1/p' "$1a.json" | head -n 1)
+	rm -f "figure$1.png"
 	"$COGNAC" "$here/figures/figure$1.pov" "+L$here/figures" "+W$2" "+H$3" +A0.1 +R3 -V "+Ofigure$1.png" "Declare=Stored=$count"
 	echo "$folder/figure$1.png"
 }
@@ -78,7 +79,7 @@ figure6()
 		panel_of 6 6-$method figures/prism.pov $method 5850000 +W480 +H360 $fine
 		draw 6-$method RGBA 6-$method
 	done
-	panel 6-4 figures/prism.pov 4 500000 +W480 +H360
+	panel 6-4 figures/prism.pov 4 500000 +W480 +H360 Declare=Radius=0.05
 	draw 6-4 RGBA 6-4
 	draw 6-3 photons.parameter 6-e --exposure=1.5
 	draw 6-3 photons.edges 6-f --exposure=1.5 --range=3,6
@@ -115,10 +116,22 @@ figure9()
 	panel 9-wide rings.pov 3 2700000 +W480 +H360 $fine --load-photons 9-2700000.ply
 	draw 9-wide RGBA 9-wide
 	# shellcheck disable=SC2086
-	panel 9-4 rings.pov 4 500000 $crop
+	panel 9-4 rings.pov 4 500000 $crop Declare=Radius=0.08
 	draw 9-4 RGBA 9-4
 	ln -sf 9-2700000.json 9a.json
 	sheet 9 2444 402
+}
+
+# Before and after, small: scenes/relaxation.png is this.
+figure0()
+{
+	for method in 0 3; do
+		# shellcheck disable=SC2086
+		panel_of 0 0-$method figures/prism.pov $method 250000 +W360 +H270 $fine
+		draw 0-$method RGBA 0-$method
+	done
+	ln -sf 0-0.json 0a.json
+	sheet 0 740 308
 }
 
 for figure in "$@"; do
