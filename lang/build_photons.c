@@ -313,12 +313,18 @@ static bool accept_global_other(Cursor *cursor, PhotonSettings *settings)
 		settings->emitter_coordinates = cursor_optional_bool(cursor);
 	} else if ((block = cursor_accept_block(cursor, W_relaxation))) {
 		settings->relaxation = read_relaxation(cursor->context, block);
+	} else if (cursor_accept_word(cursor, W_relaxation)) {
+		settings->relaxation = relaxation_default();
+		settings->relaxation.on = cursor_optional_bool(cursor);
 	} else if ((block = cursor_accept_block(cursor, W_progressive))) {
 		settings->progressive = read_progressive(cursor->context, block);
 	} else if ((block = cursor_accept_block(cursor, W_estimator))) {
 		const Estimator *estimator = build_estimator(cursor->context, block);
 		if (estimator)
 			settings->estimator = *estimator;
+	} else if (cursor_accept_word(cursor, W_estimator) ||
+		   cursor_accept_word(cursor, W_progressive)) {
+		cursor_expected(cursor, "'{'");
 	} else {
 		return false;
 	}
@@ -382,6 +388,8 @@ void build_photons_object(Context *context, const Node *block, Object *object)
 			object->flags.relaxation = take_switch(&cursor);
 		else if ((inner = cursor_accept_block(&cursor, W_estimator)))
 			object->estimator = build_estimator(context, inner);
+		else if (cursor_accept_word(&cursor, W_estimator))
+			cursor_expected(&cursor, "'{'");
 		else
 			cursor_unexpected(&cursor);
 	}

@@ -69,6 +69,15 @@ static bool save_photons(const Passes *passes, const PhotonMap *map, const char 
 	return !path || photon_map_write(map, path, passes->job->diag);
 }
 
+/* False, reported, when photons are asked for as they landed and are there only as relaxed. */
+static bool can_tell_landed(const Passes *passes, const PhotonMap *map, const char *load)
+{
+	if (!passes->job->options->landed_file || !map->relaxed)
+		return true;
+	diag_fail(passes->job->diag, "the photons in '%s' are no longer where they landed", load);
+	return false;
+}
+
 /* From a file or from the lights; NULL with *status set. */
 static PhotonMap *get_photons(Passes *passes, RenderStatus *status)
 {
@@ -81,7 +90,8 @@ static PhotonMap *get_photons(Passes *passes, RenderStatus *status)
 		passes->statistics->photons.stored = map->count;
 	if (!map)
 		return NULL;
-	bool saved = save_photons(passes, map, options->landed_file);
+	bool saved = can_tell_landed(passes, map, load) &&
+		     save_photons(passes, map, options->landed_file);
 	relax_photons(passes, map);
 	if (saved && save_photons(passes, map, save))
 		return map;
@@ -250,14 +260,37 @@ static void settle_progressive(Passes *passes)
 		passes->progressive.passes = 1;
 }
 
+/* False, reported, when switches name files of photons that this render cannot have. What the scene
+ * itself names is left alone by progressive passes. */
+static bool check_files(const Passes *passes)
+{
+	const PassOptions *options = passes->job->options;
+	bool writes = options->save_file || options->landed_file;
+	if (writes && !wants_photons(passes)) {
+		diag_fail(passes->job->diag, "the scene asks for no photons: there are none to write");
+		return false;
+	}
+	if (passes->progressive.on && (writes || options->load_file)) {
+		diag_fail(passes->job->diag,
+			  "progressive passes have photons of their own: none are read or written");
+		return false;
+	}
+	if (passes->progressive.on && (passes->settings->save_file || passes->settings->load_file))
+		diag_note(passes->job->diag,
+			  "progressive passes leave save_file and load_file alone");
+	return true;
+}
+
 static RenderStatus run(Passes *passes)
 {
 	const PassJob *job = passes->job;
+	settle_progressive(passes);
+	if (!check_files(passes))
+		return RENDER_FAILED;
 	if (!wants_photons(passes))
 		return render_image(job->scene, &passes->render, job->film, &passes->callbacks,
 				    &passes->statistics->render);
 	passes->statistics->has_photons = true;
-	settle_progressive(passes);
 	if (!passes->progressive.on)
 		return render_once(passes);
 	if (!passes->reduction) {

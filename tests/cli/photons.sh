@@ -152,6 +152,11 @@ head -c 5000 one.ply >short.ply
 status 1 pane.pov +Onever.png --load-photons short.ply
 status 1 pane.pov +Onever.png --load-photons missing.ply
 status 1 pane.pov +Onever.png --photons missing/map.ply
+status 1 pane.pov +Onever.png --passes 2 --photons never.ply
+status 1 pane.pov +Onever.png --passes 2 --load-photons one.ply
+status 1 ball.pov +Onever.png --photons never.ply
+status 1 ball.pov +Onever.png --photons-landed never.ply
+grep -q "no photons" err || fail "no word about photons that are not there: $(cat err)"
 status 1 pane.pov +Onever.png --estimator nonsense
 status 1 pane.pov +Onever.png --passes 0
 [ -z "$(ls | grep -e never -e '\.part')" ] || fail "left after an error: $(ls)"

@@ -5,7 +5,7 @@
 
 {
 	echo '#version unofficial cognac 1.0;'
-	sed 's/count 4000/& relaxation { constrained }/;/^#version/d' caustic.pov
+	sed 's/count 4000/& relaxation { constrained } #ifdef (Off) relaxation off #end/;/^#version/d' caustic.pov
 } >relaxed.pov
 
 # check STATS MAP...: with every reader that is there.
@@ -36,6 +36,11 @@ same relaxed.png again.png
 status 0 relaxed.pov --load-photons relaxed.ply --stats loaded.json +Oloaded.png
 same relaxed.png loaded.png
 grep -q '"relaxation"' loaded.json && fail "relaxed twice"
+status 1 relaxed.pov --load-photons relaxed.ply --photons-landed never.ply +Onever.png
+[ ! -e never.ply ] && [ ! -e never.png ] || fail "moved photons are called landed ones"
+# Relaxation that is turned off again.
+status 0 relaxed.pov --load-photons landed.ply --photons off.ply -F Declare=Off=1
+same landed.ply off.ply "relaxation off"
 for word in features '14 iterations' 'photon tree'; do
 	"$COGNAC" relaxed.pov +W8 +H6 -F 2>&1 | grep -q "$word" || fail "no $word in the statistics"
 done

@@ -13,3 +13,6 @@ global_settings {
     estimator { }
   }
 }
+global_settings { photons { estimator nearest } }
+global_settings { photons { progressive passes 3 } }
+sphere { 0, 1 photons { estimator off } }
