@@ -1,7 +1,8 @@
 #!/usr/bin/env python3
 """Compares the brightness of caustics with POV-Ray's.
 
-Each scene is rendered by both programs twice, with all its photons and with nearly none. The difference is what the photons
+Each scene is rendered by both programs twice, with all its photons and with a few that are not seen (with none at all POV-Ray's
+shadows would be different). The difference is what the photons
 brought; its mean over the pixels where POV-Ray's difference is at least a fiftieth of its brightest, and nothing is clipped in
 any picture, is printed for both programs, with their ratio. Exit status 1 when a ratio is off by more than the tolerance.
 The scenes are those of tests/photons and samples of Debian's povray-examples. 77 when there is no povray.
@@ -17,13 +18,23 @@ import tempfile
 
 HERE = pathlib.Path(__file__).resolve().parent
 EXAMPLES = pathlib.Path("/usr/share/doc/povray/examples")
-# Samples: path, and what is replaced to leave out nearly all photons.
+SPACING = r"(photons *\{[^}]*?)(count|spacing) +[\d.]+"
+# Samples: path, what is replaced for both renders, and what is replaced to leave out the photons' light. advanced/optics has its
+# photons in media and is left out. Known to be off:
+#  glassthing stands with its bottom in the very plane of the floor (its `plane { -y, 0.001 }` was meant to lift it). POV-Ray loses
+#    what leaves the glass there, here it lies on the floor under the glass: 1.13. Lifted by 0.01 it is right: the second row.
+# Differences that are inside the tolerance but not noise:
+#  POV-Ray drops a path when the square of its weight is under adc_bailout (a mirror of reflection 0.04 throws no caustic, one of
+#    0.08 does), so 5% of grenadine's light is lost; here such paths survive by Russian roulette, as a pane's (1 - F) / (1 + F)
+#    wants. POV-Ray with adc_bailout 1e-6: 0.5947 through a pane under 75 degrees, closed form 0.5961; with the default 0.5575.
+#  Single discs at the edge of the light reach less far than POV-Ray's: its search radius is not known (src/density/expand.c).
 SAMPLES = [
-    ("lights/phot_met_glass", [(r"spacing +0\.03", "spacing 0.3 radius 1e-9")]),
-    ("lights/glassthing", [(r"spacing +0\.05", "spacing 0.3 radius 1e-9")]),
-    ("advanced/grenadine/grenadine", [(r"spacing +0\.01", "spacing 0.3 radius 1e-9")]),
-    ("templates/Radiosity_Photons/80_Photons_scene", [(r"(photons *\{[^}]*?)(count|spacing) +[\d.]+", r"\1spacing 0.3 radius 1e-9")]),
-    ("templates/Radiosity_Photons/85_Photons_scene1", [(r"(photons *\{[^}]*?)(count|spacing) +[\d.]+", r"\1spacing 0.3 radius 1e-9")]),
+    ("lights/phot_met_glass", [], [(r"spacing +0\.03", "spacing 0.3 radius 1e-9")]),
+    ("lights/glassthing", [], [(r"spacing +0\.05", "spacing 0.3 radius 1e-9")]),
+    ("lights/glassthing", [(r"plane \{ -y, 0.001 \}", "plane { -y, -0.01 }")], [(r"spacing +0\.05", "spacing 0.3 radius 1e-9")]),
+    ("advanced/grenadine/grenadine", [], [(r"spacing +0\.01", "spacing 0.3 radius 1e-9")]),
+    ("templates/Radiosity_Photons/80_Photons_scene", [], [(SPACING, r"\1spacing 0.3 radius 1e-9")]),
+    ("templates/Radiosity_Photons/85_Photons_scene1", [], [(SPACING, r"\1spacing 0.3 radius 1e-9")]),
 ]
 OWN = ["sphere", "ring", "prism", "spot", "mirror", "nested"]
 
@@ -49,8 +60,16 @@ def render(program, scene, words, folder, output):
     return read_ppm(pathlib.Path(output))
 
 
-def prepare_sample(name, replacements, work):
-    """Copies the sample's folder and puts a second scene beside it, without photons. Returns folder and both names."""
+def replace(name, text, replacements):
+    for pattern, replacement in replacements:
+        text, count = re.subn(pattern, replacement, text, count=1)
+        assert count, f"{name}: no {pattern}"
+    return text
+
+
+def prepare_sample(sample, work):
+    """Copies the sample's folder and puts two scenes beside it, with and without photons. Returns folder and both names."""
+    name, for_both, for_none = sample
     source = EXAMPLES / name
     folder = work / source.parent.name
     if not folder.exists():
@@ -58,12 +77,9 @@ def prepare_sample(name, replacements, work):
         for packed in folder.glob("*.gz"):
             packed.with_suffix("").write_bytes(gzip.decompress(packed.read_bytes()))
     path = next(p for p in (folder / (source.name + e) for e in (".pov", ".txt")) if p.exists())
-    text = path.read_text(encoding="latin-1")
+    text = replace(name, path.read_text(encoding="latin-1"), for_both)
     (folder / (source.name + ".full.pov")).write_text(text, encoding="latin-1")
-    for pattern, replacement in replacements:
-        text, count = re.subn(pattern, replacement, text, count=1)
-        assert count, f"{name}: no {pattern}"
-    (folder / (source.name + ".none.pov")).write_text(text, encoding="latin-1")
+    (folder / (source.name + ".none.pov")).write_text(replace(name, text, for_none), encoding="latin-1")
     return folder, source.name + ".full.pov", source.name + ".none.pov"
 
 
@@ -121,11 +137,11 @@ def main():
             scene = str(HERE / "photons" / (name + ".pov"))
             scenes = [(scene, []), (scene, ["Declare=Photons=1"])]
             good &= run(options, name, scenes, HERE / "photons", work)
-        for name, replacements in SAMPLES:
-            if options.own or not wanted(name) or not EXAMPLES.exists():
+        for sample in SAMPLES:
+            if options.own or not wanted(sample[0]) or not EXAMPLES.exists():
                 continue
-            folder, full, none = prepare_sample(name, replacements, work)
-            good &= run(options, name, [(full, []), (none, [])], folder, work)
+            folder, full, none = prepare_sample(sample, work)
+            good &= run(options, sample[0] + (", changed" if sample[1] else ""), [(full, []), (none, [])], folder, work)
     return 0 if good else 1
 
 

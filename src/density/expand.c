@@ -9,11 +9,13 @@
  *
  * Without a radius POV-Ray takes one from statistics of the photons. Measured by the light's reach
  * beyond the edge of a uniform patch, it is 1.2 to 3.4 times the distance to a photon's gather
- * maximum-th neighbour, falling with the number of photons; here it is twice the mean.
+ * maximum-th neighbour, falling with the number of photons; here it is twice the median, which
+ * photons that went astray to the horizon do not widen.
  *
  * What differs: photons of other surfaces are refused (gather.h).
  */
 #include <math.h>
+#include <stdlib.h>
 
 #include "base/arena.h"
 #include "density/gather.h"
@@ -30,20 +32,27 @@ typedef struct Expand {
 
 static const double expansion = 3, automatic_factor = 2;
 
-/* From the mean distance to a photon's most-th neighbour, over some of the photons. */
+static int compare_floats(const void *a, const void *b)
+{
+	float x = *(const float *)a, y = *(const float *)b;
+	return (x > y) - (x < y);
+}
+
+/* From the median distance to a photon's most-th neighbour, over some of the photons. */
 static double automatic_radius(const PhotonMap *map, int most)
 {
 	enum { SAMPLES = 500 };
 	uint32_t samples = map->count < SAMPLES ? map->count : SAMPLES;
 	Neighbor found[most + 8 * TREE_SLACK];
-	double sum = 0;
+	float distances[SAMPLES];
 	for (uint32_t i = 0; i < samples; i++) {
 		const float *p = map->photons[(uint64_t)i * map->count / samples].position;
 		NearestQuery query = {{p[0], p[1], p[2]}, INFINITY, most, NULL};
 		int count = photon_tree_nearest(map->tree, &query, found);
-		sum += sqrt(photon_tree_farthest(found, count) * most / count);
+		distances[i] = sqrtf(photon_tree_farthest(found, count) * (float)most / (float)count);
 	}
-	return samples ? automatic_factor * sum / samples : 0;
+	qsort(distances, samples, sizeof *distances, compare_floats);
+	return samples ? automatic_factor * distances[samples / 2] : 0;
 }
 
 static void *expand_create(const EstimatorSetup *setup, Diag *diag)
@@ -83,6 +92,12 @@ static void search(const Expand *e, const GatherTask *task, double radius, Searc
 	s->count = gather_filter(task, sqrt(s->radius2), s->found, count);
 }
 
+/* The farthest photon, at the disc's very edge, counts as well. */
+static double kernel_in_disc(const Expand *e, double t2)
+{
+	return kernel_value(e->kernel, fmin(t2, 1 - 1e-9));
+}
+
 static void expand_gather(const void *method, const GatherTask *task, GatherResult *result)
 {
 	const Expand *e = method;
@@ -99,7 +114,7 @@ static void expand_gather(const void *method, const GatherTask *task, GatherResu
 	}
 	for (int i = 0; i < best->count && best->radius2 > 0; i++)
 		gather_add(&sum, &task->map->photons[best->found[i].index],
-			   kernel_value(e->kernel, best->found[i].distance2 / best->radius2) /
+			   kernel_in_disc(e, best->found[i].distance2 / best->radius2) /
 				   best->radius2);
 	gather_finish(&sum, sqrt(best->radius2), result);
 }

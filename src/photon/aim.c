@@ -101,7 +101,7 @@ static PhotonAim make_aim(const Scene *scene, int light, const Target *target, u
 	PhotonAim aim = {
 		.light = light, .target = target->id, .box = target->box, .ball = target->ball};
 	uint64_t sequence = (uint64_t)light << 32 | (uint32_t)target->id;
-	for (uint64_t k = 0; k < 4; k++)
+	for (uint64_t k = 0; k < AIM_DIMENSIONS; k++)
 		aim.shift[k] = random_uniform(seed, sequence, k);
 	aim.region = emission_region(&scene->lights[light], &aim.ball);
 	find_inside(scene, scene->lights[light].position, &aim.inside);
@@ -127,16 +127,21 @@ bool photon_aim_hits(const PhotonAim *aim, const Emission *emission)
 
 static const uint64_t HALTON_SKIP = 1; /* index 0 is a corner in every dimension */
 
+double photon_halton(const PhotonAim *aim, const PhotonTraceOptions *options, uint64_t path,
+		     int dimension)
+{
+	uint64_t index = options->pass * aim->paths + path + HALTON_SKIP;
+	double number = random_halton(index, dimension) + aim->shift[dimension];
+	return number - (number >= 1);
+}
+
 Emission photon_emission(const Scene *scene, const PhotonAim *aim,
 			 const PhotonTraceOptions *options, uint64_t path)
 {
-	uint64_t index = options->pass * aim->paths + path + HALTON_SKIP;
-	double s[4] = {0};
+	double s[AIM_EMISSION_DIMENSIONS] = {0};
 	int dimensions = emission_takes_point(&scene->lights[aim->light]) ? 4 : 2;
-	for (int k = 0; k < dimensions; k++) {
-		s[k] = random_halton(index, k) + aim->shift[k];
-		s[k] -= s[k] >= 1;
-	}
+	for (int k = 0; k < dimensions; k++)
+		s[k] = photon_halton(aim, options, path, k);
 	return emission_sample(&scene->lights[aim->light], &aim->ball, &aim->region, s);
 }
 

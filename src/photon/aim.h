@@ -11,12 +11,15 @@
 #include "scene/inside.h"
 #include "scene/scene.h"
 
+/* Coordinates of a path's Halton point: those of its emission come first (light/emission.h). */
+enum { AIM_EMISSION_DIMENSIONS = 4, AIM_DIMENSIONS = 8 };
+
 typedef struct PhotonAim {
 	int light;         /* number of the scene's light */
 	int target;        /* Surface.id */
 	EmissionAim ball;
 	EmissionRegion region; /* of the light's own position */
-	double shift[4];   /* of the Halton points, by the seed */
+	double shift[AIM_DIMENSIONS]; /* of the Halton points, by the seed */
 	Box3 box;          /* paths that miss it are counted but not followed */
 	uint64_t paths;    /* of this pass */
 	uint64_t first;    /* number of its first path among all of the pass */
@@ -32,6 +35,9 @@ typedef struct PhotonAims {
 /* In the arena. Unbounded targets are left out. */
 PhotonAims photon_aims(const Scene *scene, const PhotonTraceOptions *options, Arena *arena);
 
+/* A coordinate of the Halton point of a path, shifted by the seed, in [0, 1). */
+double photon_halton(const PhotonAim *aim, const PhotonTraceOptions *options, uint64_t path,
+		     int dimension);
 /* The emission of one path of an aim: Halton points, shifted as a whole by the seed. */
 Emission photon_emission(const Scene *scene, const PhotonAim *aim,
 			 const PhotonTraceOptions *options, uint64_t path);

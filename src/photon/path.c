@@ -20,7 +20,14 @@
 #include "scene/shade.h"
 #include "surface/bsdf.h"
 
-enum { PATH_MAX_CROSSINGS = 250, DIMENSION_HUE = 4 };
+/* Dimensions of a path's Halton point beyond those of its emission. How its first surfaces part the
+ * light matters most; later choices are plain random numbers. */
+enum {
+	PATH_MAX_CROSSINGS = 250,
+	DIMENSION_HUE = AIM_EMISSION_DIMENSIONS,
+	DIMENSION_EVENT,
+	HALTON_EVENTS = AIM_DIMENSIONS - DIMENSION_EVENT
+};
 
 typedef struct Path {
 	const Scene *scene;
@@ -31,6 +38,7 @@ typedef struct Path {
 	Sampler sampler;
 	Ray ray;
 	Rgb flux;
+	Rgb tint;            /* by what it has passed through on the way to its target */
 	float start;         /* grey flux at the first hit */
 	double length;       /* so far */
 	double first_length, first_distance; /* at the first hit: of the path, and from the light */
@@ -38,19 +46,24 @@ typedef struct Path {
 	const PhotonTraceOptions *options;
 	uint64_t number;
 	bool colored;
-	int edges, level;
+	int edges; /* of the path so far; what POV-Ray counts as its levels */
 	uint8_t kind;        /* hash of the way so far */
 	InsideStack inside;
 } Path;
+
+/* Until it has met its target, a path goes straight through what is told to let it. */
+static bool passes_by(const Path *path, const Surface *surface)
+{
+	return path->edges == 0 && surface->photons_pass_through &&
+	       surface->id != path->aim->target;
+}
 
 static bool accept_on_the_way(void *data, const Ray *ray, const Hit *hit)
 {
 	(void)ray;
 	const Path *path = data;
 	const Surface *surface = hit->shape->owner;
-	/* Until it has met the target, a path passes what is told to let it. */
-	return path->edges > 0 || !surface->photons_pass_through ||
-	       surface->id == path->aim->target;
+	return !passes_by(path, surface) || !surface->no_shadow;
 }
 
 static void push_photon(PhotonBuffer *out, const Photon *photon)
@@ -87,6 +100,15 @@ static void store(Path *path, const ShadePoint *point)
 
 /* ---- at a surface ---- */
 
+static Rgb stack_transmittance(const Shading *shading, const ShadingStack *stack)
+{
+	Rgb through = rgb_all(stack->weight);
+	for (int i = 0; i < stack->count; i++)
+		through = rgb_mul(through,
+				  rgbft_transmittance(shading->layers[stack->first + i].color));
+	return through;
+}
+
 /* One of the texture's stacks, by its weight. */
 static const ShadingStack *choose_stack(Path *path, const Shading *shading)
 {
@@ -101,11 +123,18 @@ static const ShadingStack *choose_stack(Path *path, const Shading *shading)
 	return &shading->stacks[shading->stack_count - 1];
 }
 
-static double hue_of(const PhotonTraceOptions *options, uint64_t number)
+/* A later coordinate of the Halton point that the path started with. */
+static double halton_number(const Path *path, int dimension)
 {
-	double hue = random_halton(number + 1, DIMENSION_HUE) +
-		     random_uniform(options->seed, options->pass, DIMENSION_HUE);
-	return hue - floor(hue);
+	return photon_halton(path->aim, path->options, path->number, dimension);
+}
+
+/* What the choice at this surface is made by. */
+static double event_number(Path *path)
+{
+	if (path->edges > HALTON_EVENTS)
+		return sampler_next(&path->sampler);
+	return halton_number(path, DIMENSION_EVENT + path->edges - 1);
 }
 
 /* White light that meets glass which bends colours differently becomes light of one hue. */
@@ -114,7 +143,7 @@ static void settle_hue(Path *path, const Surface *surface)
 	if (path->colored || !interior_disperses(surface->interior))
 		return;
 	path->colored = true;
-	path->hue = hue_of(path->options, path->number);
+	path->hue = halton_number(path, DIMENSION_HUE);
 	path->flux = rgb_mul(path->flux, interior_hue_color(path->hue));
 }
 
@@ -156,7 +185,7 @@ static bool choose_event(Path *path, const Surface *surface, const Bsdf *bsdf, B
 	}
 	if (kept == 0 || !(total > 0))
 		return false;
-	float u = (float)sampler_next(&path->sampler) * total;
+	float u = kept > 1 ? (float)event_number(path) * total : 0;
 	for (int i = 0; i < kept; i++) {
 		float share = rgb_gray(rgb_mul(events[i].weight, path->flux));
 		*chosen = events[i];
@@ -194,11 +223,25 @@ static void go_on(Path *path, const ShadePoint *point, const BsdfEvent *event)
 	if (event->kind == BSDF_TRANSMIT && !event->total)
 		inside_cross(&path->inside, point->surface);
 	path->flux = rgb_mul(path->flux, event->weight);
-	path->level += event->kind == BSDF_REFLECT || event->bent;
 	path->ray = (Ray){point->at.world, event->to, shade_epsilon(point->at.world), INFINITY};
 	int what = event->kind == BSDF_REFLECT ? 1 : event->total ? 2 : 3;
 	path->kind = (uint8_t)random_mix(path->kind * 4096u + (unsigned)point->surface->id * 4u +
 					 (unsigned)what + 1);
+}
+
+/* What passes is tinted all the same, as a shadow is, unless the object has none: POV-Ray does so,
+ * where its manual says that photons are unaffected. Returns whether light is left. */
+static bool pass_by(Path *path, const ShadePoint *point)
+{
+	Shading shading;
+	Rgb through = {0, 0, 0};
+	shade_textures(point, &shading);
+	for (int i = 0; i < shading.stack_count; i++)
+		through = rgb_add(through, stack_transmittance(&shading, &shading.stacks[i]));
+	path->tint = rgb_mul(path->tint, through);
+	path->ray.origin = point->at.world;
+	path->ray.tmin = shade_epsilon(point->at.world);
+	return !rgb_is_black(path->tint);
 }
 
 /* The first surface a path meets must be its target: others have paths of their own, or stand in
@@ -209,6 +252,7 @@ static bool lands_on_target(Path *path, const ShadePoint *point, double share)
 		return false;
 	path->flux = emission_flux(path->light, &path->emission, point->at.world, share,
 				   &path->first_distance);
+	path->flux = rgb_mul(path->flux, path->tint);
 	path->first_length = path->length;
 	path->start = rgb_gray(path->flux);
 	path->out->statistics.emitted_flux += path->start;
@@ -225,6 +269,8 @@ static bool meet(Path *path, const Hit *hit, double share)
 	PhotonStatistics *statistics = &path->out->statistics;
 	shade_point_init(&point, &path->ray, hit);
 	path->length += hit->t;
+	if (passes_by(path, point.surface))
+		return pass_by(path, &point);
 	if (path->edges == 0 && !lands_on_target(path, &point, share))
 		return false;
 	path->edges++;
@@ -241,7 +287,7 @@ static bool meet(Path *path, const Hit *hit, double share)
 	              photon_light_reaches(path->light, point.surface);
 	if (stored)
 		store(path, &point);
-	bool on = path->level < most_levels(path->scene) &&
+	bool on = path->edges < most_levels(path->scene) &&
 		  choose_event(path, point.surface, &bsdf, &event);
 	if (on) {
 		go_on(path, &point, &event);
@@ -261,6 +307,7 @@ void photon_path(const Scene *scene, const PhotonAim *aim, const PhotonTraceOpti
 		.aim = aim,
 		.out = out,
 		.hue = 0.5,
+		.tint = {1, 1, 1},
 		.options = options,
 		.number = number,
 		.sampler = {random_bits(options->seed, options->pass, 1), aim->first + number, 0},

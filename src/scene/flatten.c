@@ -76,7 +76,10 @@ static void inherit_flags(Surface *surface, const ObjectFlags *flags)
 	inherit_flag(&surface->photons_refraction, flags->photons_refraction);
 	inherit_flag(&surface->photons_reflection, flags->photons_reflection);
 	inherit_flag(&surface->photons_collect, flags->photons_collect);
-	inherit_flag(&surface->photons_pass_through, flags->photons_pass_through);
+	/* What throws no shadow lets photons pass, unless it is told not to. */
+	inherit_flag(&surface->photons_pass_through,
+		     flags->photons_pass_through == UNSET ? flags->no_shadow
+							  : flags->photons_pass_through);
 	inherit_flag(&surface->relaxation, flags->relaxation);
 }
 

@@ -1,8 +1,8 @@
 // Liquid in a glass, an area light, a receiver with highlights.
 #version 3.7;
-// Count 1 leaves the scene without its caustic: what photons bring is the difference.
+// Photons 1 leaves the scene without its caustic: what photons bring is the difference.
 #ifndef (Photons) #declare Photons = 200000; #end
-global_settings { assumed_gamma 1 max_trace_level 15 photons { count Photons #if (Photons = 1) radius 1e-9 #end } }
+global_settings { assumed_gamma 1 max_trace_level 15 photons { count #if (Photons = 1) 2000 radius 1e-9 #else Photons #end } }
 camera { orthographic location <0.8, 10, 0> look_at <0.8, 0, 0> right 4*x up 4*z }
 light_source { <-6, 7, 0>, 0.02 area_light 0.4*z, 0.4*y, 4, 4 adaptive 1 photons { area_light } }
 plane { y, 0 pigment { rgb 1 } finish { ambient 0 diffuse 0.8 specular 0.3 roughness 0.05 } }

@@ -1,8 +1,8 @@
 // A lens in a spotlight that fades with the square of the distance, with tinted fading glass.
 #version 3.7;
-// Count 1 leaves the scene without its caustic: what photons bring is the difference.
+// Photons 1 leaves the scene without its caustic: what photons bring is the difference.
 #ifndef (Photons) #declare Photons = 200000; #end
-global_settings { assumed_gamma 1 max_trace_level 12 photons { count Photons #if (Photons = 1) radius 1e-9 #end } }
+global_settings { assumed_gamma 1 max_trace_level 12 photons { count #if (Photons = 1) 2000 radius 1e-9 #else Photons #end } }
 camera { orthographic location <0, 3, 0> look_at 0 right 1.6*x up 1.6*z }
 light_source { <0, 20, 0>, 0.01 spotlight point_at 0 radius 5 falloff 8 fade_distance 6 fade_power 2 }
 plane { y, 0 pigment { rgb 1 } finish { ambient 0 diffuse 1 } }
