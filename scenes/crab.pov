@@ -32,7 +32,7 @@ sky_sphere {
 
 light_source {
   <20, 17, 17>
-  color rgb <1.0, 0.94, 0.84> * 0.75
+  color rgb <1.0, 0.94, 0.84> * 0.95
   photons { reflection on }
 }
 

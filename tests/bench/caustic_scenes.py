@@ -59,13 +59,14 @@ class Program:
     """Calls cognac on close-ups; words that are the same for all calls."""
 
     def __init__(self, cognac, scenes, threads=0, library=()):
-        self.cognac, self.scenes = cognac, scenes
+        self.cognac, self.scenes = os.path.abspath(cognac), os.path.abspath(scenes)
         self.words = ["-V", f"+W{SIZE}", f"+H{SIZE}", "-A", f"+WT{threads}"]
-        self.words += [f"+L{folder}" for folder in (scenes, *library)]
+        self.words += [f"+L{folder}" for folder in map(os.path.abspath, library)]
 
     def run(self, scene, *words):
-        """Waits for it; it ends with us. Raises CalledProcessError."""
-        process = subprocess.Popen([self.cognac, *self.words, *words, scene])
+        """Waits for it; it ends with us. Raises CalledProcessError. Paths are absolute: it runs
+        where the scenes are, so that no others of their names are found before them."""
+        process = subprocess.Popen([self.cognac, *self.words, *words, scene], cwd=self.scenes)
         try:
             status = process.wait()
         finally:

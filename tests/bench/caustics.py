@@ -82,7 +82,7 @@ class Bench:
 
     def path(self, *parts):
         return os.path.join(
-            self.options.folder,
+            os.path.abspath(self.options.folder),
             ".".join(str(part) for part in (self.name, short(self.count), *parts)),
         )
 

@@ -85,7 +85,7 @@ class Maker:
         os.makedirs(options.folder, exist_ok=True)
 
     def path(self, *parts):
-        return os.path.join(self.options.folder, ".".join(parts))
+        return os.path.join(os.path.abspath(self.options.folder), ".".join(parts))
 
     def half(self, scene, name, letter, count, passes):
         """Into NAME.LETTER.exr, which holds whole passes at every moment."""
