@@ -21,7 +21,7 @@ check_SCRIPTS += tests/layering.sh
 EXTRA_DIST += tests/layering.sh
 
 # The command line and the manual pages.
-CLI_TESTS = tests/cli/animation.sh tests/cli/dispersion.sh tests/cli/estimators.sh tests/cli/ini.sh \
+CLI_TESTS = tests/cli/animation.sh tests/cli/dispersion.sh tests/cli/estimators.sh tests/cli/figures.sh tests/cli/ini.sh \
 	tests/cli/interrupt.sh tests/cli/layer.sh tests/cli/make.sh tests/cli/merge.sh tests/cli/output.sh tests/cli/photons.sh \
 	tests/cli/references.sh tests/cli/ply.sh tests/cli/words.sh tests/man.sh
 check_SCRIPTS += $(CLI_TESTS)

@@ -107,18 +107,18 @@ figure8()
 figure9()
 {
 	crop="+W1600 +H1200 +SC721 +EC1200 +SR401 +ER760"
-	for photons in 541000 2700000 13300000; do
+	for photons in 466000 2330000 11500000; do
 		# shellcheck disable=SC2086
 		panel 9-$photons rings.pov 3 $photons $crop $fine --photons 9-$photons.ply
 		draw 9-$photons RGBA 9-$photons
 	done
 	# shellcheck disable=SC2086
-	panel 9-wide rings.pov 3 2700000 +W480 +H360 $fine --load-photons 9-2700000.ply
+	panel 9-wide rings.pov 3 2330000 +W480 +H360 $fine --load-photons 9-2330000.ply
 	draw 9-wide RGBA 9-wide
 	# shellcheck disable=SC2086
 	panel 9-4 rings.pov 4 500000 $crop Declare=Radius=0.08
 	draw 9-4 RGBA 9-4
-	ln -sf 9-2700000.json 9a.json
+	ln -sf 9-2330000.json 9a.json
 	sheet 9 2444 402
 }
 
