@@ -5,7 +5,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "base/arena.h"
 #include "image/write.h"
 
 enum { COLORS = 3, CHANNELS = 4, LONGEST_NAME = 256 };

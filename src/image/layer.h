@@ -6,6 +6,7 @@
 #ifndef IMAGE_LAYER_H
 #define IMAGE_LAYER_H
 
+#include "base/arena.h"
 #include "image/exr.h"
 #include "image/image.h"
 
@@ -14,7 +15,6 @@
 Image *layer_extract(const ExrImage *exr, const char *layer);
 
 /* Names of all layers, each once, in the file's order; returns how many. They end with the arena. */
-typedef struct Arena Arena; /* base/arena.h */
 int layer_names(const ExrImage *exr, const char ***names, Arena *arena);
 
 /* The least and the largest finite value. False when there is none. */

@@ -267,6 +267,39 @@ static void test_order(void)
 	photon_map_destroy(turned);
 }
 
+/* What the layers show: the first light lies on a plane of radius 2, the second is a point. */
+static void test_layers(void)
+{
+	PhotonMap *map = empty_map(10);
+	PhotonLight lights[] = {{1, 4 * M_PI, 2}, {1, 1, 3}};
+	PhotonConstraint constraints[10];
+	for (int i = 0; i < 10; i++) {
+		add_photon(map, vec3(0.5 + 0.001 * i, 0, 0.5), up, 1);
+		Photon *p = &map->photons[i];
+		p->light = i >= 5;
+		p->edges = (uint8_t)(i >= 5 ? 6 : 3);
+		p->emitter[0] = p->light ? -1 : 1;
+		constraints[i] = (PhotonConstraint){{1, 0, 0}, p->light ? 0.25f : 1};
+	}
+	map->lights = lights;
+	map->light_count = 2;
+	map->constraints = constraints;
+	photon_map_index(map, 0);
+	Estimator method = {.kind = ESTIMATOR_NEAREST, .count = 10};
+	DensityEstimator *estimator = make(&method, map, 0);
+	GatherResult all = gather(estimator, 0.5, 0, 0.5);
+	CHECK(all.photons == 10);
+	CHECK_NEAR(all.edges, 4.5, 1e-6);
+	CHECK_NEAR(all.constraint, 0.375, 1e-6);
+	/* 1/2 + 1/2 * 1 / 2 and 1/2 - 1/2. */
+	CHECK_NEAR(all.parameter.r, (0.75 + 0) / 2, 1e-6);
+	CHECK_NEAR(all.parameter.g, 0.5, 1e-6);
+	estimator_destroy(estimator);
+	map->lights = NULL;
+	map->constraints = NULL;
+	photon_map_destroy(map);
+}
+
 /* A search that finds too few is made three times as wide, but not over an edge: a lone photon
  * in the dark lights a disc. */
 static void test_expansion(void)
@@ -316,6 +349,7 @@ int main(void)
 	test_other_surfaces();
 	test_few_photons();
 	test_order();
+	test_layers();
 	test_expansion();
 	test_failures();
 	return CHECK_RESULT();
