@@ -9,23 +9,35 @@ import math
 import os
 import subprocess
 import tempfile
+from typing import NamedTuple
 
 SIZE = 256  # pixels, both ways
 
-# Scene: location, look_at, angle in degrees; and the crop that is shown large: its name, x, y,
-# width, height in pixels.
+
+class Close(NamedTuple):
+    """A camera; the first pass' radius of the reference, in pixels: half a pixel, so that the
+    brightest folds are not blurred, but more where there are none, for less noise; and the crop
+    that is shown large: its name, x, y, width and height in pixels."""
+
+    location: tuple
+    look_at: tuple
+    angle: float  # degrees
+    radius: float
+    crop: tuple
+
+
 CAMERAS = {
-    "prism": ((6.5, 12, -11.5), (5.1, 0, -2.3), 28, ("folds", 90, 70, 96, 96)),
-    "cognac": ((14, 15, -15), (5.6, 0, -4.7), 27, ("crossing", 64, 32, 96, 96)),
-    "halogen": ((-13, 15, -20), (-2.5, 0, -3.5), 40, ("facets", 60, 110, 96, 96)),
-    "rings": ((0.8, 12, -7), (-0.35, 0, 0.15), 24, ("cusp", 80, 96, 96, 96)),
-    "egg": ((6, 10, -8), (2.7, 0, -1.2), 26, ("focus", 48, 64, 96, 96)),
-    "pool": ((-0.6, 3, -2.9), (0.1, -1.5, -0.3), 34, ("knot", 130, 40, 96, 96)),
-    "pool_night": ((-1.5, 1.4, -3), (0.3, 1.9, 5), 46, ("band", 48, 80, 96, 96)),
-    "wine": ((10, 12, -12), (6.6, 0, -2.8), 22, ("focus", 64, 64, 96, 96)),
-    "ring": ((0.8, 15, -9), (1.2, 0, 0), 18, ("cusp", 112, 80, 96, 96)),
-    "crab": ((-5, 9, -9.5), (-1.4, 0, -2), 28, ("wall", 96, 150, 96, 96)),
-    "dragon": ((1, 10, -9), (0.6, 0, -2.6), 34, ("scales", 120, 100, 96, 96)),
+    "prism": Close((6.5, 12, -11.5), (5.1, 0, -2.3), 28, 1.6, ("folds", 90, 70, 96, 96)),
+    "cognac": Close((14, 15, -15), (5.6, 0, -4.7), 27, 0.5, ("crossing", 64, 32, 96, 96)),
+    "halogen": Close((-13, 15, -20), (-2.5, 0, -3.5), 40, 1.6, ("facets", 60, 110, 96, 96)),
+    "rings": Close((0.8, 12, -7), (-0.35, 0, 0.15), 24, 0.5, ("cusp", 80, 96, 96, 96)),
+    "egg": Close((6, 10, -8), (2.7, 0, -1.2), 26, 0.5, ("focus", 48, 64, 96, 96)),
+    "pool": Close((-0.6, 3, -2.9), (0.1, -1.5, -0.3), 34, 1.0, ("knot", 130, 40, 96, 96)),
+    "pool_night": Close((-1.5, 1.4, -3), (0.3, 1.9, 5), 46, 1.0, ("band", 48, 80, 96, 96)),
+    "wine": Close((10, 12, -12), (6.6, 0, -2.8), 22, 0.5, ("focus", 64, 64, 96, 96)),
+    "ring": Close((0.8, 15, -9), (1.2, 0, 0), 18, 0.5, ("cusp", 112, 80, 96, 96)),
+    "crab": Close((-5, 9, -9.5), (-1.4, 0, -2), 28, 0.5, ("wall", 96, 150, 96, 96)),
+    "dragon": Close((1, 10, -9), (0.6, 0, -2.6), 34, 0.5, ("scales", 120, 100, 96, 96)),
 }
 SCENES = tuple(CAMERAS)
 
@@ -36,18 +48,19 @@ def vector(v):
 
 def footprint(name):
     """Width of a pixel where the camera looks, scene units."""
-    location, look_at, angle, _ = CAMERAS[name]
-    return 2 * math.dist(location, look_at) * math.tan(math.radians(angle / 2)) / SIZE
+    close = CAMERAS[name]
+    half = math.tan(math.radians(close.angle / 2))
+    return 2 * math.dist(close.location, close.look_at) * half / SIZE
 
 
 def text(name, folder, settings=""):
     """A scene with the close camera around NAME.pov of a folder; settings go into photons { }."""
-    location, look_at, angle, _ = CAMERAS[name]
+    close = CAMERAS[name]
     with open(os.path.join(folder, name + ".pov"), "rb") as file:
         digest = hashlib.sha256(file.read()).hexdigest()
     camera = (
-        f"  location {vector(location)}\n  look_at {vector(look_at)}\n"
-        f"  right x\n  angle {angle}\n"
+        f"  location {vector(close.location)}\n  look_at {vector(close.look_at)}\n"
+        f"  right x\n  angle {close.angle}\n"
     )
     return (
         f'#version unofficial cognac 1.0;\n// {digest}\n#include "{name}.pov"\n'

@@ -319,7 +319,7 @@ def main():
                 ]
                 caustic_sheet.write(
                     bench.path("png"),
-                    caustic_scenes.CAMERAS[scene][3],
+                    caustic_scenes.CAMERAS[scene].crop,
                     [("reference", bench.reference)] + pictures,
                 )
     if options.json:

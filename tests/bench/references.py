@@ -17,9 +17,6 @@ import caustic_scenes
 import exr
 
 SEEDS = {"a": 900001, "b": 900002}
-# Of the first pass, in pixels: after 60 passes it is 0.8, when the kernel's standard deviation is a
-# third of a pixel.
-FIRST_RADIUS = 1.6
 UPDATE = 60  # seconds between safeguards of what is done
 
 
@@ -104,7 +101,7 @@ class Maker:
     def make(self, name):
         o = self.options
         halves = {letter: self.path(name, letter, "exr") for letter in SEEDS}
-        radius = FIRST_RADIUS * caustic_scenes.footprint(name)
+        radius = caustic_scenes.CAMERAS[name].radius * caustic_scenes.footprint(name)
         estimator = "estimator { nearest { kernel epanechnikov } }"
         settings = f"{estimator} progressive {{ radius {radius:.9g} }}"
         scene = self.path(name, "close.pov")
