@@ -3,11 +3,13 @@
  * eight 32-bit numbers at a time (type Eight),
  *
  *   lanes_load, lanes_store   of eight numbers in a row
+ *   lanes_store_some          of the first of them
  *   lanes_min, lanes_max      of each lane
  *   lanes_least, lanes_most   of all lanes
  *   lanes_below               bit mask of the lanes less than a number
  *   lanes_equal               bit mask of the lanes that are a number
- *   lanes_packed              those of a mask, moved to the front
+ *   lanes_order               the numbers of a mask's lanes, at the front
+ *   lanes_moved               one's lanes in the order of the other
  *   lanes_count               how many of an array's numbers are less than one
  *
  * and ORDERER, the name of what this defines.
@@ -93,7 +95,7 @@ INLINE uint32_t sift(const Search *s, int32_t low, int32_t high, int32_t *out, u
 		unsigned under = lanes_below(some, low);
 		unsigned upto = lanes_below(some, high) | lanes_equal(some, high);
 		less += (unsigned)__builtin_popcount(under);
-		lanes_store(out + taken, lanes_packed(some, upto & ~under));
+		lanes_store(out + taken, lanes_moved(some, lanes_order(upto & ~under)));
 		taken += (unsigned)__builtin_popcount(upto & ~under);
 	}
 	for (; i < s->count; i++) {
@@ -161,7 +163,7 @@ INLINE int32_t search_few(const Search *s)
 }
 
 /* Of points with the key, `left` of the run's in all are to stay. */
-INLINE Place part_equals(const TreeRun *run, int axis, int32_t key, uint32_t left)
+static Place part_equals(const TreeRun *run, int axis, int32_t key, uint32_t left)
 {
 	const int32_t *keys = run->here[axis], *numbers = run->here[run->dimensions];
 	uint32_t stay = left - lanes_count(keys, run->count, key), i = 0;
@@ -195,44 +197,49 @@ INLINE unsigned staying(const TreeRun *run, int axis, uint32_t at, Place place)
 	       (lanes_equal(keys, place.key) & lanes_below(numbers, place.number));
 }
 
-/* Eight points, those of `stay` to `left` here and those of `go` to `right` there. */
-INLINE void part_eight(const TreeRun *run, int columns, uint32_t at, unsigned stay, unsigned go,
-		       uint32_t left, uint32_t right)
+/* Eight points, those that stay to `left` here, the others to `right` there. */
+typedef struct Parting {
+	uint32_t at, left, right;
+	unsigned stay, go; /* masks */
+} Parting;
+
+INLINE void part_eight(const TreeRun *run, int columns, const Parting *p)
 {
+	Eight staying = lanes_order(p->stay), going = lanes_order(p->go);
 	for (int k = 0; k < columns; k++) {
-		Eight some = lanes_load(run->here[k] + at);
-		lanes_store(run->here[k] + left, lanes_packed(some, stay));
-		lanes_store(run->there[k] + right, lanes_packed(some, go));
+		Eight some = lanes_load(run->here[k] + p->at);
+		lanes_store(run->here[k] + p->left, lanes_moved(some, staying));
+		lanes_store(run->there[k] + p->right, lanes_moved(some, going));
 	}
 }
 
 /* The same without writing behind the run's end, where others may be at work. */
-INLINE void part_last(const TreeRun *run, int columns, uint32_t at, unsigned stay, unsigned go,
-		      uint32_t left, uint32_t right)
+INLINE void part_last(const TreeRun *run, int columns, const Parting *p)
 {
-	size_t bytes = sizeof(int32_t) * (unsigned)__builtin_popcount(go);
+	Eight staying = lanes_order(p->stay), going = lanes_order(p->go);
 	for (int k = 0; k < columns; k++) {
-		Eight some = lanes_load(run->here[k] + at);
-		int32_t going[TREE_WIDTH];
-		lanes_store(run->here[k] + left, lanes_packed(some, stay));
-		lanes_store(going, lanes_packed(some, go));
-		memcpy(run->there[k] + right, going, bytes);
+		Eight some = lanes_load(run->here[k] + p->at);
+		lanes_store(run->here[k] + p->left, lanes_moved(some, staying));
+		lanes_store_some(run->there[k] + p->right, lanes_moved(some, going),
+				 __builtin_popcount(p->go));
 	}
 }
 
 INLINE void part_columns(const TreeRun *run, int columns, int axis, uint32_t first_right,
 			 Place place)
 {
-	uint32_t left = 0, right = first_right;
-	for (uint32_t i = 0; i < run->count; i += TREE_WIDTH) {
-		unsigned valid = run->count - i < TREE_WIDTH ? (1u << (run->count - i)) - 1 : 255;
-		unsigned stay = staying(run, axis, i, place) & valid, go = ~stay & valid;
-		if (right + TREE_WIDTH <= run->count)
-			part_eight(run, columns, i, stay, go, left, right);
+	Parting p = {.left = 0, .right = first_right};
+	for (p.at = 0; p.at < run->count; p.at += TREE_WIDTH) {
+		uint32_t rest = run->count - p.at;
+		unsigned valid = rest < TREE_WIDTH ? (1u << rest) - 1 : 255;
+		p.stay = staying(run, axis, p.at, place) & valid;
+		p.go = ~p.stay & valid;
+		if (p.right + TREE_WIDTH <= run->count)
+			part_eight(run, columns, &p);
 		else
-			part_last(run, columns, i, stay, go, left, right);
-		left += (unsigned)__builtin_popcount(stay);
-		right += (unsigned)__builtin_popcount(go);
+			part_last(run, columns, &p);
+		p.left += (unsigned)__builtin_popcount(p.stay);
+		p.right += (unsigned)__builtin_popcount(p.go);
 	}
 }
 

@@ -40,11 +40,19 @@ INLINE unsigned lanes_equal(Eight a, int32_t b)
 	return lanes_mask(_mm256_cmpeq_epi32(a, _mm256_set1_epi32(b)));
 }
 
-INLINE Eight lanes_packed(Eight a, unsigned mask)
+INLINE Eight lanes_order(unsigned mask)
 {
 	uint64_t bytes = _pdep_u64(mask, 0x0101010101010101u) * 0xff;
-	__m128i lanes = _mm_cvtsi64_si128((long long)_pext_u64(0x0706050403020100u, bytes));
-	return _mm256_permutevar8x32_epi32(a, _mm256_cvtepu8_epi32(lanes));
+	uint64_t lanes = _pext_u64(0x0706050403020100u, bytes);
+	return _mm256_cvtepu8_epi32(_mm_cvtsi64_si128((long long)lanes));
+}
+
+INLINE Eight lanes_moved(Eight a, Eight order) { return _mm256_permutevar8x32_epi32(a, order); }
+
+INLINE void lanes_store_some(int32_t *at, Eight a, int count)
+{
+	__m256i lanes = _mm256_setr_epi32(0, 1, 2, 3, 4, 5, 6, 7);
+	_mm256_maskstore_epi32(at, _mm256_cmpgt_epi32(_mm256_set1_epi32(count), lanes), a);
 }
 
 INLINE uint32_t lanes_count(const int32_t *keys, uint32_t count, int32_t bound)

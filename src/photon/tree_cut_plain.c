@@ -60,14 +60,27 @@ INLINE unsigned lanes_equal(Eight a, int32_t b)
 	return mask;
 }
 
-INLINE Eight lanes_packed(Eight a, unsigned mask)
+INLINE Eight lanes_order(unsigned mask)
 {
-	Eight packed = {{0}};
-	for (unsigned i = 0, count = 0; i < TREE_WIDTH; i++) {
-		packed.at[count] = a.at[i]; /* count <= i */
+	Eight order = {{0}};
+	for (int i = 0, count = 0; i < TREE_WIDTH; i++) {
+		order.at[count] = i; /* count <= i */
 		count += mask >> i & 1;
 	}
-	return packed;
+	return order;
+}
+
+INLINE Eight lanes_moved(Eight a, Eight order)
+{
+	Eight moved;
+	for (int i = 0; i < TREE_WIDTH; i++)
+		moved.at[i] = a.at[order.at[i]];
+	return moved;
+}
+
+INLINE void lanes_store_some(int32_t *at, Eight a, int count)
+{
+	memcpy(at, a.at, sizeof *at * (size_t)count);
 }
 
 INLINE uint32_t lanes_count(const int32_t *keys, uint32_t count, int32_t bound)

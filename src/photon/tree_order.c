@@ -13,6 +13,9 @@
 #include <stdbool.h>
 #include <stdlib.h>
 
+/* Up to so many points are one thread's work. */
+enum { FEW = 20000 };
+
 typedef struct Order {
 	PhotonTree *tree;
 	const TreePoints *points;
@@ -120,24 +123,44 @@ static bool is_finished(const Order *o, Part *part, const TreeRun *run, const Tr
 	return false;
 }
 
-static void arrange(const Order *o, Part part)
+/* Cuts a part in two, unless it is a leaf already. */
+static bool cut(const Order *o, Part part, Part *left, Part *right)
 {
 	TreeRun run = run_of(o, &part);
 	TreeExtent e;
 	o->orderer->extent(&run, &e);
 	if (is_finished(o, &part, &run, &e))
-		return;
+		return false;
 	uint32_t children = (part.count + part.child - 1) / part.child;
-	Part left = part, right = part;
-	left.count = children / 2 * part.child;
-	right.first += left.count;
-	right.count -= left.count;
-	right.side = !part.side;
-	o->orderer->cut(&run, widest(o, &e), left.count);
-#pragma omp task if (part.count > 20000)
-	arrange(o, left);
-	arrange(o, right);
+	*left = *right = part;
+	left->count = children / 2 * part.child;
+	right->first += left->count;
+	right->count -= left->count;
+	right->side = !part.side;
+	o->orderer->cut(&run, widest(o, &e), left->count);
+	return true;
+}
+
+static void arrange_few(const Order *o, Part part)
+{
+	Part left, right;
+	while (cut(o, part, &left, &right)) {
+		arrange_few(o, left);
+		part = right;
+	}
+}
+
+static void arrange(const Order *o, Part part)
+{
+	Part left, right;
+	if (part.count <= FEW) {
+		arrange_few(o, part);
+	} else if (cut(o, part, &left, &right)) {
+#pragma omp task
+		arrange(o, left);
+		arrange(o, right);
 #pragma omp taskwait
+	}
 }
 
 /* ---- columns ---- */
@@ -182,7 +205,7 @@ void tree_order(PhotonTree *tree, const TreePoints *points, const TreeOrderer *o
 	Part all = {0, points->count, TREE_WIDTH, 0, 0};
 	for (; all.level + 1 < tree->level_count; all.level++)
 		all.child *= TREE_WIDTH;
-#pragma omp parallel if (points->count > 20000)
+#pragma omp parallel if (points->count > FEW)
 #pragma omp single
 	arrange(&o, all);
 	free(memory);

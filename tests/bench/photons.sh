@@ -44,7 +44,7 @@ if [ -n "$missing" ]; then
 	exit 1
 fi
 mkdir -p tests/bench
-${CXX:-c++} -O2 -fopenmp -I"$SOURCES/src" "$SOURCES/tests/bench/photon_tree.cc" libphoton.a libbase.a \
+${CXX:-c++} -O3 -fopenmp -I"$SOURCES/src" "$SOURCES/tests/bench/photon_tree.cc" libphoton.a libbase.a \
 	-llz4 -lm -o "$program"
 "$program" "${RUNS:-5}"
 rm -f "$program"
