@@ -53,17 +53,23 @@ def footprint(name):
     return 2 * math.dist(close.location, close.look_at) * half / SIZE
 
 
+def digest(path):
+    """Of a scene but for its default count, which all calls here override."""
+    with open(path, "rb") as file:
+        lines = [line for line in file if b"#declare Photon_Count" not in line]
+    return hashlib.sha256(b"".join(lines)).hexdigest()
+
+
 def text(name, folder, settings=""):
     """A scene with the close camera around NAME.pov of a folder; settings go into photons { }."""
     close = CAMERAS[name]
-    with open(os.path.join(folder, name + ".pov"), "rb") as file:
-        digest = hashlib.sha256(file.read()).hexdigest()
     camera = (
         f"  location {vector(close.location)}\n  look_at {vector(close.look_at)}\n"
         f"  right x\n  angle {close.angle}\n"
     )
     return (
-        f'#version unofficial cognac 1.0;\n// {digest}\n#include "{name}.pov"\n'
+        f"#version unofficial cognac 1.0;\n// {digest(os.path.join(folder, name + '.pov'))}\n"
+        f'#include "{name}.pov"\n'
         f"camera {{\n{camera}}}\nglobal_settings {{ photons {{ {settings} }} }}\n"
     )
 
