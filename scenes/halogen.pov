@@ -3,7 +3,7 @@
 // Plain POV-Ray 3.7; one unit is ten centimetres. Declare=Photon_Count=N for more photons.
 #version 3.7;
 
-#ifndef (Photon_Count) #declare Photon_Count = 400000; #end
+#ifndef (Photon_Count) #declare Photon_Count = 800000; #end
 
 global_settings {
   assumed_gamma 1.0
