@@ -105,6 +105,7 @@ static Vec2 box_uv(const void *data, const Hit *hit, Vec3 p)
 
 const ShapeClass box_class = {
 	.name = "box",
+	.flat = true,
 	.bounds = box_bounds,
 	.intersect = box_intersect,
 	.inside = box_inside,

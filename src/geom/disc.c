@@ -61,6 +61,7 @@ static Vec3 disc_normal(const void *data, const Hit *hit, Vec3 p)
 
 const ShapeClass disc_class = {
 	.name = "disc",
+	.flat = true,
 	.bounds = disc_bounds,
 	.intersect = disc_intersect,
 	.inside = disc_inside,

@@ -90,6 +90,7 @@ static Vec2 triangle_uv(const void *data, const Hit *hit, Vec3 p)
 
 const ShapeClass triangle_class = {
 	.name = "triangle",
+	.flat = true,
 	.bounds = triangle_bounds,
 	.intersect = triangle_intersect,
 	.normal = triangle_normal,
@@ -99,6 +100,7 @@ const ShapeClass triangle_class = {
 
 const ShapeClass smooth_triangle_class = {
 	.name = "smooth_triangle",
+	.flat = true,
 	.bounds = triangle_bounds,
 	.intersect = triangle_intersect,
 	.normal = triangle_normal,
@@ -306,6 +308,7 @@ static int mesh_textures(const void *data, const Hit *hit, Vec3 p, ShapeTextures
 
 const ShapeClass mesh_class = {
 	.name = "mesh",
+	.flat = true,
 	.bounds = mesh_bounds,
 	.intersect = mesh_intersect,
 	.inside = mesh_inside,

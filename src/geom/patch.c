@@ -138,6 +138,7 @@ static Vec3 polygon_normal(const void *data, const Hit *hit, Vec3 p)
 
 const ShapeClass polygon_class = {
 	.name = "polygon",
+	.flat = true,
 	.bounds = polygon_bounds,
 	.intersect = polygon_intersect,
 	.normal = polygon_normal,

@@ -97,6 +97,7 @@ static Vec3 plane_normal(const void *data, const Hit *hit, Vec3 p)
 
 const ShapeClass plane_class = {
 	.name = "plane",
+	.flat = true,
 	.bounds = plane_bounds,
 	.intersect = plane_intersect,
 	.inside = plane_inside,

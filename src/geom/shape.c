@@ -197,6 +197,14 @@ Vec3 hit_shading_normal(const Hit *hit, Vec3 world)
 								 point_into_shape(shape, world)));
 }
 
+bool hit_is_flat(const Hit *hit, Vec3 world)
+{
+	const ShapeClass *class = hit->shape->class;
+	return class->flat &&
+	       (!class->shading_normal ||
+		vec3_distance(hit_normal(hit, world), hit_shading_normal(hit, world)) < 1e-6);
+}
+
 Vec2 hit_uv(const Hit *hit, Vec3 world)
 {
 	const Shape *shape = hit->shape;

@@ -111,6 +111,8 @@ struct ShapeClass {
 	 * texture_list, blob components): fills out, returns how many; 0: the owner's one
 	 * texture. Number -1 stands for the owner's texture. p: the hit's place in own space. */
 	int (*textures)(const void *data, const Hit *hit, Vec3 p, ShapeTextures *out);
+	/* Made of flat faces. */
+	bool flat;
 	/* inside() can hold outside of bounds(): a disc divides all space. */
 	bool inside_unbounded;
 	/* Optional, for shapes without bounds: a box around what of `box` (own space, sides may be
@@ -151,6 +153,8 @@ bool shape_is_bounded(const Shape *shape);
  * (inverted shapes: inward). */
 Vec3 hit_normal(const Hit *hit, Vec3 world);
 Vec3 hit_shading_normal(const Hit *hit, Vec3 world);
+/* Whether the surface is flat and shaded as such up to the edge of a face. */
+bool hit_is_flat(const Hit *hit, Vec3 world);
 Vec2 hit_uv(const Hit *hit, Vec3 world);
 /* Which of the owner's numbered textures cover the hit; 0: the owner's one texture alone. */
 int hit_textures(const Hit *hit, Vec3 world, ShapeTextures *out);

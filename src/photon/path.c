@@ -47,7 +47,7 @@ typedef struct Path {
 	uint64_t number;
 	bool colored;
 	int edges; /* of the path so far; what POV-Ray counts as its levels */
-	uint8_t kind;        /* hash of the way so far */
+	uint16_t kind;       /* hash of the way so far */
 	InsideStack inside;
 } Path;
 
@@ -75,6 +75,17 @@ static void push_photon(PhotonBuffer *out, const Photon *photon)
 	out->photons[out->count++] = *photon;
 }
 
+/* Flat faces throw sheets of light of their own; each is known by its normal. */
+static uint64_t face_of(const ShadePoint *point)
+{
+	static const double steps = 65536; /* the faces' normals are told apart with */
+	if (!hit_is_flat(point->hit, point->at.world))
+		return 0;
+	Vec3 n = hit_normal(point->hit, point->at.world);
+	return random_bits((uint64_t)llrint(steps * n.x), (uint64_t)llrint(steps * n.y),
+			   (uint64_t)llrint(steps * n.z));
+}
+
 static void store(Path *path, const ShadePoint *point)
 {
 	Vec3 p = point->at.world, normal = point->at.normal;
@@ -86,7 +97,7 @@ static void store(Path *path, const ShadePoint *point)
 		.light = (uint16_t)path->aim->light,
 		.object = (uint16_t)point->surface->id,
 		.edges = (uint8_t)(path->edges < 255 ? path->edges : 255),
-		.path = path->kind,
+		.path = (uint16_t)random_bits(path->kind, face_of(point), 0),
 	};
 	double farther = path->first_distance + path->length - path->first_length;
 	photon_set_flux(&photon,
@@ -225,8 +236,8 @@ static void go_on(Path *path, const ShadePoint *point, const BsdfEvent *event)
 	path->flux = rgb_mul(path->flux, event->weight);
 	path->ray = (Ray){point->at.world, event->to, shade_epsilon(point->at.world), INFINITY};
 	int what = event->kind == BSDF_REFLECT ? 1 : event->total ? 2 : 3;
-	path->kind = (uint8_t)random_mix(path->kind * 4096u + (unsigned)point->surface->id * 4u +
-					 (unsigned)what + 1);
+	path->kind = (uint16_t)random_bits(path->kind * 4u + (unsigned)what,
+					   (uint64_t)point->surface->id, face_of(point));
 }
 
 /* What passes is tinted all the same, as a shadow is, unless the object has none: POV-Ray does so,

@@ -20,7 +20,8 @@ void photon_set_flux(Photon *photon, Rgb flux)
 	/* A value just under a power of two must not round up to 65536. */
 	if (ldexp(most, 16 - exponent) + 0.5 >= 65536)
 		exponent++;
-	photon->exponent = (int16_t)exponent;
+	exponent = exponent < INT8_MIN ? INT8_MIN : exponent > INT8_MAX ? INT8_MAX : exponent;
+	photon->exponent = (int8_t)exponent;
 	photon->mantissa[0] = to_mantissa(flux.r, exponent);
 	photon->mantissa[1] = to_mantissa(flux.g, exponent);
 	photon->mantissa[2] = to_mantissa(flux.b, exponent);

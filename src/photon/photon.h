@@ -16,15 +16,15 @@ typedef struct Photon {
 	float emitter[3]; /* emitter coordinates, in the light's own units: see light/emission.h */
 	float length;          /* of the path from the light, scene units */
 	uint16_t mantissa[3];  /* flux: mantissa * 2^(exponent - 16) per channel */
-	int16_t exponent;
+	uint16_t path; /* hash of the objects, flat faces and events on the way: equal for photons of
+			  one sheet */
 	uint16_t direction[2]; /* where it came from: unit vector from the surface back along the
 				  path, octahedral */
 	uint16_t light;        /* number of the scene's light */
 	uint16_t object;       /* Surface.id of the object it landed on, modulo 65536 */
 	uint8_t normal[2];     /* of the surface it landed on, on the photon's side, octahedral */
 	uint8_t edges;         /* of the path: 2 for light - glass - table */
-	uint8_t path; /* hash of the objects and events on the way: equal for photons of one sheet
-		       */
+	int8_t exponent;       /* flux's */
 } Photon;
 
 _Static_assert(sizeof(Photon) == 48, "a photon is 48 bytes");

@@ -23,7 +23,8 @@ typedef struct PlyPhoton {
 	float x, y, z, nx, ny, nz, red, green, blue; /* flux */
 	float dx, dy, dz, e1, e2, e3, length;
 	uint16_t light, object;
-	uint8_t edges, path;
+	uint8_t edges;
+	uint16_t path;
 } __attribute__((packed)) PlyPhoton;
 
 typedef struct PlyConstraint {
@@ -45,7 +46,7 @@ static const char photon_properties[] =
 	"property float from_x\nproperty float from_y\nproperty float from_z\n"
 	"property float emitter_1\nproperty float emitter_2\nproperty float emitter_3\n"
 	"property float path_length\nproperty ushort light\nproperty ushort object\n"
-	"property uchar path_edges\nproperty uchar path_kind\n";
+	"property uchar path_edges\nproperty ushort path_kind\n";
 static const char constraint_properties[] =
 	"property float along_x\nproperty float along_y\nproperty float along_z\n"
 	"property float across_x\nproperty float across_y\nproperty float across_z\n";

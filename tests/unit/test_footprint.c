@@ -115,6 +115,26 @@ static void test_energy(void)
 	photon_map_destroy(map);
 }
 
+/* An even sheet is even up to its border, and beyond there is nothing. */
+static void test_border(void)
+{
+	PhotonMap *map = make_map(4000, 0, straight);
+	DensityEstimator *estimator = make(map, 0);
+	double truth = 1 / (2 * 0.5 + 0.3 * 0.1), inside = 0, outside = 0;
+	int points = 0;
+	for (double v = 0.1; v < 0.9; v += 0.01, points++) {
+		double x, y;
+		straight(0.005, v, &x, &y);
+		inside += density(estimator, x, y, 0) / truth;
+		straight(-0.01, v, &x, &y);
+		outside += density(estimator, x, y, 0) / truth;
+	}
+	CHECK_NEAR(inside / points, 1, 0.1);
+	CHECK(outside / points < 0.05);
+	estimator_destroy(estimator);
+	photon_map_destroy(map);
+}
+
 /* Passes of shrinking kernels come nearer to the truth beside a fold. */
 static void test_passes(void)
 {
@@ -181,6 +201,7 @@ int main(void)
 	test_fit();
 	test_even();
 	test_energy();
+	test_border();
 	test_passes();
 	test_few();
 	return CHECK_RESULT();
