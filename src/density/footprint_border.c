@@ -60,9 +60,8 @@ static double area_between(double radius, const Border *border, const Border *ot
 /* The sheet goes on beyond its outermost photon by what lies between two at that depth. */
 static double gap_beyond(const BorderSearch *search, double reach)
 {
-	static const double share_of_gap = 0.5;
 	double w = search->window, chord = 2 * sqrt(fmax(w * w - reach * reach, 0));
-	return chord > 0 ? share_of_gap * search->share / chord : 0;
+	return chord > 0 ? search->share / chord : 0;
 }
 
 /* other: NULL for the first one. */

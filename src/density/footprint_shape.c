@@ -1,6 +1,6 @@
 /*
  * A photon's share of light is round in emitter space, with the area of a dozen photons at the
- * local density of emission, up to three times that where the map is straight. The ellipse has the
+ * local density of emission, twice that where the map is straight. The ellipse has the
  * covariance that the fitted map gives it (footprint_fit.h): the linear part, and that of the
  * second-order part, which keeps it from vanishing at folds, where the first is singular; the
  * second-order part also moves its centre.
@@ -103,9 +103,10 @@ static void parameter_frame(const PhotonMap *map, const Photon *p, Vec3 *u, Vec3
 	}
 }
 
-/* Neighbours in emitter space that the map is fitted to, on the surface where none fits, and in
- * emitter space that tell how dense photons are. */
-enum { FIT_COUNT = 24, FALLBACK_COUNT = 24, AREA_COUNT = 10 };
+/* Neighbours in emitter space, on the surface where no map fits, and in emitter space that tell how
+ * dense photons are. The map is fitted to the disc of emitter space that holds FIT_COUNT: weights
+ * fall beyond. */
+enum { KNOWN_COUNT = 36, FALLBACK_COUNT = 24, AREA_COUNT = 10, FIT_COUNT = 24 };
 
 /* Radius of the disc that holds the nearest photons here. */
 static double nearest_radius(const Group *g, const Photon *p)
@@ -146,7 +147,7 @@ static int compare_areas(const void *a, const void *b)
 /* Near a border a photon's own neighbours are few for the area; those farther in know better. */
 static double area_near(const Group *g, const Neighbor *found, int count)
 {
-	float areas[FIT_COUNT + 1];
+	float areas[KNOWN_COUNT + 1];
 	for (int i = 0; i < count; i++)
 		areas[i] = g->areas[found[i].index];
 	qsort(areas, (size_t)count, sizeof *areas, compare_areas);
@@ -155,9 +156,9 @@ static double area_near(const Group *g, const Neighbor *found, int count)
 
 /* ---- neighbourhoods ---- */
 
-/* A photon's neighbours, in parameters in which the farthest is 1 away. */
+/* A photon's neighbours, in parameters in which the disc of FIT_COUNT photons has the radius 1. */
 typedef struct Neighborhood {
-	FitSample samples[FIT_COUNT + 1];
+	FitSample samples[KNOWN_COUNT + 1];
 	int count;
 	double area;   /* of a share */
 	double window; /* all neighbours within this are known */
@@ -186,13 +187,15 @@ static void take_samples(const Group *g, const Photon *p, const Neighbor *found,
 
 static void look_around(const Group *g, const Photon *p, Neighborhood *n)
 {
-	Neighbor found[FIT_COUNT + 1 + 8 * TREE_SLACK];
-	int count = find_neighbors(g, p, FIT_COUNT + 1, found);
-	double farthest = sqrt(photon_tree_farthest(found, count));
-	double scale = farthest > 0 ? 1 / farthest : 0;
+	Neighbor found[KNOWN_COUNT + 1 + 8 * TREE_SLACK];
+	int count = find_neighbors(g, p, KNOWN_COUNT + 1, found);
+	double area = area_near(g, found, count), scale = sqrt(M_PI / (FIT_COUNT * area));
 	n->count = 0;
-	n->area = scale * scale * area_near(g, found, count);
-	n->window = count == FIT_COUNT + 1 ? 1 : INFINITY;
+	n->area = M_PI / FIT_COUNT;
+	n->window = count == KNOWN_COUNT + 1 ? scale * sqrt(photon_tree_farthest(found, count))
+	                                     : INFINITY;
+	if (!(area > 0))
+		return;
 	take_samples(g, p, found, count, scale, n);
 }
 
@@ -230,19 +233,17 @@ static double growth_of(const FootprintFit *fit, const FootprintSpread *spread, 
 }
 
 /* The share's square radius in the parameters. */
-static double share2_of(const Group *g, const Neighborhood *n, const FootprintFit *fit)
+static double share2_of(const Group *g, const FootprintFit *fit)
 {
-	static const double most_growth = 3;
-	double share2 = g->share * n->area / M_PI;
-	double room = fmax(1, n->window * n->window / share2);
+	double share2 = g->share / FIT_COUNT, most_growth = fmax(1, 1 / share2);
 	FootprintSpread spread = footprint_spread(fit, footprint_variance * share2);
-	return share2 * growth_of(fit, &spread, fmin(most_growth, room)) * g->pass * g->pass;
+	return share2 * growth_of(fit, &spread, most_growth) * g->pass * g->pass;
 }
 
 static void add_borders(const FootprintFit *fit, const Neighborhood *n, double share2,
                         FootprintShape *shape)
 {
-	static const double wider = 1.25; /* than the share, to see what is missing at its rim */
+	static const double wider = 1.3; /* than the share, to see what is missing at its rim */
 	double window = fmin(n->window, wider * sqrt(share2));
 	BorderSearch search = {n->samples, n->count, window, n->area};
 	Border borders[MOST_BORDERS];
@@ -261,7 +262,7 @@ static void add_borders(const FootprintFit *fit, const Neighborhood *n, double s
 static void add_fitted(const Group *g, const FootprintFit *fit, const Neighborhood *n, double trust,
                        FootprintShape *shape)
 {
-	double share2 = share2_of(g, n, fit);
+	double share2 = share2_of(g, fit);
 	FootprintSpread spread = footprint_spread(fit, footprint_variance * share2);
 	shape->center[0] = trust * spread.mean[0];
 	shape->center[1] = trust * spread.mean[1];
