@@ -17,17 +17,26 @@ camera {
   angle 36
 }
 
-background { color rgb <0.05, 0.045, 0.05> }
+// A room at dusk, for the glass to mirror.
+sky_sphere {
+  pigment {
+    gradient y
+    color_map {
+      [0.00 color rgb <0.09, 0.07, 0.07>] [0.30 color rgb <0.16, 0.13, 0.12>] [0.55 color rgb <0.42, 0.38, 0.36>]
+      [0.75 color rgb <0.20, 0.21, 0.25>] [1.00 color rgb <0.06, 0.07, 0.10>]
+    }
+  }
+}
 
 light_source {
   <-34, 40, 18>
-  color rgb <1.0, 0.95, 0.86> * 0.9
+  color rgb <1.0, 0.92, 0.78> * 1.15
   photons { refraction on reflection on }
 }
 
 light_source {
   <30, 40, -50>
-  color rgb <0.6, 0.7, 0.9> * 0.3
+  color rgb <0.6, 0.7, 0.9> * 0.14
   shadowless
   photons { refraction off reflection off }
 }
