@@ -35,6 +35,41 @@ double random_halton(uint64_t index, int dimension)
 	case 1: return radical_inverse(index, 3);
 	case 2: return radical_inverse(index, 5);
 	case 3: return radical_inverse(index, 7);
+	case 4: return radical_inverse(index, 11);
+	case 5: return radical_inverse(index, 13);
+	case 6: return radical_inverse(index, 17);
+	case 7: return radical_inverse(index, 19);
 	default: return radical_inverse(index, (uint64_t)primes[dimension]);
 	}
+}
+
+/* The numbers of n, n + 1, ... are those of n / base, n / base + 1, ... moved one digit on, each
+ * after every digit: upper holds the latter. */
+static void append_digit(uint64_t first, uint64_t base, int count, const double *upper, double *out)
+{
+	double inverse = 1.0 / (double)base;
+	int digit = (int)(first % base), last = (int)base - 1;
+	for (int i = 0; i < count; i++) {
+		double value = (digit + *upper) * inverse;
+		out[i] = value < 1 ? value : 0x1.fffffffffffffp-1;
+		upper += digit == last;
+		digit = digit == last ? 0 : digit + 1;
+	}
+}
+
+void random_halton_run(uint64_t first, int dimension, int count, double *out)
+{
+	enum { FEW = 8 };
+	uint64_t base = (uint64_t)primes[dimension];
+	if (dimension == 0 || count <= FEW) {
+		for (int i = 0; i < count; i++)
+			out[i] = random_halton(first + (uint64_t)i, dimension);
+		return;
+	}
+	/* At the array's end, behind what is written from them. */
+	uint64_t upper = first / base;
+	int uppers = (int)((first + (uint64_t)count - 1) / base - upper) + 1;
+	double *rest = out + count - uppers;
+	random_halton_run(upper, dimension, uppers, rest);
+	append_digit(first, base, count, rest, out);
 }

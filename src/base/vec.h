@@ -12,6 +12,10 @@ typedef struct Vec3 { double x, y, z; } Vec3;
 /* An axis-aligned box; empty when any lo exceeds its hi. */
 typedef struct Box3 { Vec3 lo, hi; } Box3;
 
+/* The lesser and the greater of two numbers in one instruction each; for a NaN the second. */
+static inline double real_min(double a, double b) { return a < b ? a : b; }
+static inline double real_max(double a, double b) { return a > b ? a : b; }
+
 static inline Vec3 vec3(double x, double y, double z) { return (Vec3){x, y, z}; }
 static inline Vec3 vec3_all(double s) { return (Vec3){s, s, s}; }
 static inline Vec3 vec3_add(Vec3 a, Vec3 b) { return (Vec3){a.x + b.x, a.y + b.y, a.z + b.z}; }
@@ -37,6 +41,11 @@ static inline Vec3 vec3_normalize(Vec3 a)
 {
 	double length = vec3_length(a);
 	return length > 0 ? vec3_scale(a, 1 / length) : a;
+}
+/* For what is a unit vector but for rounding: a step of Newton's towards 1 / length. */
+static inline Vec3 vec3_unit_again(Vec3 a)
+{
+	return vec3_scale(a, 1.5 - 0.5 * vec3_length2(a));
 }
 static inline Vec3 vec3_lerp(Vec3 a, Vec3 b, double s) { return vec3_mad(a, s, vec3_sub(b, a)); }
 static inline Vec3 vec3_min(Vec3 a, Vec3 b)

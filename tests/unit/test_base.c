@@ -71,6 +71,12 @@ static void test_random(void)
 {
 	CHECK_NEAR(random_halton(1, 0), 0.5, 0);
 	CHECK_NEAR(random_halton(5, 1), 2.0 / 3 + 1.0 / 9, 1e-15);
+	double run[100];
+	for (int dimension = 0; dimension < 5; dimension++) {
+		random_halton_run(1234567, dimension, 100, run);
+		for (uint64_t i = 0; i < 100; i++)
+			CHECK_NEAR(run[i], random_halton(1234567 + i, dimension), 1e-15);
+	}
 	double sum = 0, sum2 = 0;
 	Sampler sampler = {1, 2, 0};
 	for (int i = 0; i < 100000; i++) {
