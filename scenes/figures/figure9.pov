@@ -1,7 +1,7 @@
 // Contact sheet of figure 9: see figures.sh.
 #include "sheet.inc"
 #macro Close(File, Column, Caption)
-  Panel(concat("9-", File, ".png"), <1600, 1200>, <720, 400>, <480, 360>, <8 + Column * 488, 8>, 1, Caption)
+  Panel(concat("9-", File, ".png"), <480, 360>, <0, 0>, <480, 360>, <8 + Column * 488, 8>, 1, Caption)
 #end
 Close("466000", 0, concat("(a) ", str(Stored / 5000, 0, 0), "k photons, constrained relaxation"))
 Close("2330000", 1, concat("(b) ", str(Stored / 1000, 0, 0), "k photons, constrained relaxation"))

@@ -91,10 +91,9 @@ figure6()
 # A lamp with a faceted reflector over a chair.
 figure8()
 {
-	crop="+W800 +H600 +SC201 +EC680 +SR191 +ER590 $fine"
 	for method in 0 1 2 3; do
 		# shellcheck disable=SC2086
-		panel_of 8 8-$method halogen.pov $method 1200000 $crop
+		panel_of 8 8-$method figures/lamp.pov $method 1200000 +W480 +H400 $fine
 		draw 8-$method RGBA 8-$method
 	done
 	draw 8-3 photons.parameter 8-d
@@ -106,17 +105,15 @@ figure8()
 # Rings and coins, with 134,000, 670,000 and 3.3 million photons.
 figure9()
 {
-	crop="+W1600 +H1200 +SC721 +EC1200 +SR401 +ER760"
 	for photons in 466000 2330000 11500000; do
 		# shellcheck disable=SC2086
-		panel 9-$photons rings.pov 3 $photons $crop $fine --photons 9-$photons.ply
+		panel 9-$photons figures/rings.pov 3 $photons +W480 +H360 $fine --photons 9-$photons.ply
 		draw 9-$photons RGBA 9-$photons
 	done
 	# shellcheck disable=SC2086
 	panel 9-wide rings.pov 3 2330000 +W480 +H360 $fine --load-photons 9-2330000.ply
 	draw 9-wide RGBA 9-wide
-	# shellcheck disable=SC2086
-	panel 9-4 rings.pov 4 500000 $crop Declare=Radius=0.08
+	panel 9-4 figures/rings.pov 4 500000 +W480 +H360 Declare=Radius=0.08
 	draw 9-4 RGBA 9-4
 	ln -sf 9-2330000.json 9a.json
 	sheet 9 2444 402
