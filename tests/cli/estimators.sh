@@ -3,8 +3,8 @@
 # in place: as much light as landed, the same picture.
 . "$SOURCES/tests/cli/common.sh"
 
-# A ball's caustic, seen from above on a floor of two halves. Shadow rays end at the roof, photons pass it; neither the roof nor
-# the ball is seen, so the picture is the photons' light alone.
+# A ball's caustic, seen from above on a floor of two halves. A roof leaves a hole for the ball alone, and the ball's shadow is the
+# photons'; neither is seen, so the picture is the photons' light.
 cat >floor.pov <<'END'
 #version unofficial cognac 1.0;
 #ifndef (Count) #declare Count = 10000; #end
@@ -36,7 +36,12 @@ sphere {
   pigment { rgbt 1 } finish { ambient 0 diffuse 0 } interior { ior 1.2 } no_image
   photons { target refraction on reflection off collect off }
 }
-box { <-9, 6, -9>, <9, 6.1, 9> pigment { rgb 1 } no_image photons { pass_through collect off } }
+difference {
+  box { <-9, 6, -9>, <9, 6.1, 9> }
+  cylinder { 5 * y, 7 * y, 0.99 }
+  pigment { rgb 1 } no_image
+  photons { collect off }
+}
 #macro Floor(From, To)
   box { <From, -0.1, -9>, <To, 0, 9> pigment { rgb 1 } finish { ambient 0 diffuse 1 } photons { FloorPhotons() } }
 #end
