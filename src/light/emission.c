@@ -21,14 +21,21 @@ int emission_dimensions(const Light *light)
 
 /* ---- regions ---- */
 
+static double reach_of(const EmissionAim *aim)
+{
+	return aim->reach > 0 ? aim->reach : 1;
+}
+
 /* The disc of the light's plane that the ball throws its shadow on; a cylinder light's own disc
  * when that is smaller. */
 static EmissionRegion disc_region(const Light *light, const EmissionAim *aim)
 {
-	EmissionRegion region = {.plane = true, .axis = light_axis(light), .radius = aim->radius};
+	EmissionRegion region = {
+		.plane = true, .axis = light_axis(light), .radius = aim->radius * reach_of(aim)};
 	Vec3 offset = vec3_sub(aim->center, light->position);
 	region.origin = vec3_mad(aim->center, -vec3_dot(offset, region.axis), region.axis);
-	if (light->kind == LIGHT_CYLINDER && light->falloff < aim->radius) {
+	if (light->kind == LIGHT_CYLINDER && light->falloff < region.radius) {
+		region.own = true;
 		region.origin = light->position;
 		region.radius = light->falloff;
 	}
@@ -47,7 +54,9 @@ static EmissionRegion cap_region(const Light *light, Vec3 origin, const Emission
 	region.axis = vec3_normalize(offset);
 	/* 1 - cos without cancellation for small balls */
 	region.rise = sine < 1 ? sine * sine / (1 + sqrt(1 - sine * sine)) : 2;
+	region.rise *= reach_of(aim) * reach_of(aim);
 	if (light->kind == LIGHT_SPOT && 1 - light->falloff < region.rise) {
+		region.own = true;
 		region.axis = light_axis(light);
 		region.rise = fmin(1 - light->falloff, 1);
 	}
@@ -124,17 +133,20 @@ static Emission sample_cap(const EmissionRegion *region, Vec2 disc)
 	};
 }
 
+Emission emission_from_disc(const Light *light, const EmissionAim *aim,
+			    const EmissionRegion *region, Vec2 disc)
+{
+	return region->plane ? sample_disc(light, aim, region, disc) : sample_cap(region, disc);
+}
+
 Emission emission_sample(const Light *light, const EmissionAim *aim, const EmissionRegion *region,
 			 const double s[4])
 {
 	Vec2 disc = concentric_disc(s[0], s[1]);
-	if (is_collimated(light))
-		return sample_disc(light, aim, region, disc);
-	if (!emission_takes_point(light))
-		return sample_cap(region, disc);
-	EmissionRegion own = cap_region(light, area_origin(light, aim, s + 2),
-					aim); /* as seen from the point */
-	return sample_cap(&own, disc);
+	if (region->plane || !emission_takes_point(light))
+		return emission_from_disc(light, aim, region, disc);
+	EmissionRegion seen = cap_region(light, area_origin(light, aim, s + 2), aim);
+	return sample_cap(&seen, disc);
 }
 
 Rgb emission_flux(const Light *light, const Emission *emission, Vec3 p, double share,

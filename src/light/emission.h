@@ -28,12 +28,14 @@
 typedef struct EmissionAim {
 	Vec3 center;
 	double radius;
+	double reach; /* share of the ball's disc or cap, from its middle, that is shot at; 0: all */
 } EmissionAim;
 
 /* The part of the emitter's parameter space that may reach the target: a disc of the plane, or a
  * cap of directions. */
 typedef struct EmissionRegion {
 	bool plane;
+	bool own;         /* the light's own disc or cone, narrower than what covers the ball */
 	Vec3 origin;      /* the disc's centre, or the cap's apex */
 	Vec3 axis, u, v;  /* axis: where the light goes, or the cap's middle */
 	double radius;    /* disc */
@@ -59,6 +61,11 @@ bool emission_takes_point(const Light *light);
  * 1); the last two choose the point of an area light. */
 Emission emission_sample(const Light *light, const EmissionAim *aim, const EmissionRegion *region,
 			 const double s[4]);
+
+/* The same for a point of the unit disc, from the light's own position; the cap's or disc's edge is
+ * at radius 1. */
+Emission emission_from_disc(const Light *light, const EmissionAim *aim,
+			    const EmissionRegion *region, Vec2 disc);
 
 /* The flux of a path that stands for `share` of its region (1/number of paths), when it first lands
  * at p; *distance: from the light, or from a collimated light's plane. */

@@ -4,6 +4,7 @@
 
 #include "base/random.h"
 #include "geom/sphere.h"
+#include "photon/autostop.h"
 #include "scene/accel.h"
 #include "scene/visit.h"
 
@@ -27,7 +28,7 @@ static void find_target(void *data, const Surface *surface)
 static EmissionAim ball_around(Box3 box)
 {
 	Vec3 center = vec3_scale(vec3_add(box.lo, box.hi), 0.5);
-	return (EmissionAim){center, vec3_distance(center, box.hi)};
+	return (EmissionAim){center, vec3_distance(center, box.hi), 1};
 }
 
 /* A ball of its own kind is its own bound; its box has three times the ball's cross-section. */
@@ -81,7 +82,7 @@ bool photon_light_reaches(const Light *light, const Surface *surface)
 /* A light shoots at a target when both agree on at least one kind of event. */
 static bool shoots(const Light *light, const Surface *surface)
 {
-	return photon_light_reaches(light, surface) &&
+	return photon_light_reaches(light, surface) && light->photons_share > 0 &&
 	       ((light->photons_refraction && surface->photons_refraction) ||
 		(light->photons_reflection && surface->photons_reflection));
 }
@@ -103,6 +104,8 @@ static PhotonAim make_aim(const Scene *scene, int light, const Target *target, u
 	uint64_t sequence = (uint64_t)light << 32 | (uint32_t)target->id;
 	for (uint64_t k = 0; k < AIM_DIMENSIONS; k++)
 		aim.shift[k] = random_uniform(seed, sequence, k);
+	aim.region = emission_region(&scene->lights[light], &aim.ball);
+	aim.ball.reach = photon_autostop(scene, &aim);
 	aim.region = emission_region(&scene->lights[light], &aim.ball);
 	find_inside(scene, scene->lights[light].position, &aim.inside);
 	return aim;
@@ -135,6 +138,17 @@ double photon_halton(const PhotonAim *aim, const PhotonTraceOptions *options, ui
 	return number - (number >= 1);
 }
 
+/* POV-Ray's jitter breaks the pattern of its photons: by at most half of it, as a share of the
+ * photons' mean distance, in either direction. */
+static void jitter(const Scene *scene, const PhotonAim *aim, uint64_t number, double s[2])
+{
+	double width = scene->settings.photons.jitter / sqrt((double)aim->paths);
+	for (uint64_t k = 0; k < 2; k++) {
+		s[k] += width * (random_uniform((uint64_t)aim->target, number, k) - 0.5);
+		s[k] -= floor(s[k]);
+	}
+}
+
 Emission photon_emission(const Scene *scene, const PhotonAim *aim,
 			 const PhotonTraceOptions *options, uint64_t path)
 {
@@ -142,6 +156,8 @@ Emission photon_emission(const Scene *scene, const PhotonAim *aim,
 	int dimensions = emission_takes_point(&scene->lights[aim->light]) ? 4 : 2;
 	for (int k = 0; k < dimensions; k++)
 		s[k] = photon_halton(aim, options, path, k);
+	if (scene->settings.photons.jitter > 0)
+		jitter(scene, aim, options->pass * aim->paths + path, s);
 	return emission_sample(&scene->lights[aim->light], &aim->ball, &aim->region, s);
 }
 
@@ -169,12 +185,13 @@ static void share_out(const Scene *scene, PhotonAims *aims, const double *densit
 	double total = 0,
 	       count = (double)(options->count ? options->count : (uint64_t)settings->count);
 	for (int i = 0; i < aims->count; i++) {
-		double radius = aims->aims[i].ball.radius;
+		double radius = aims->aims[i].ball.radius * aims->aims[i].ball.reach;
 		total += M_PI * radius * radius * density[i] * box_share(scene, &aims->aims[i]);
 	}
 	for (int i = 0; i < aims->count; i++) {
 		PhotonAim *aim = &aims->aims[i];
-		double disc = M_PI * aim->ball.radius * aim->ball.radius * density[i];
+		double radius = aim->ball.radius * aim->ball.reach;
+		double disc = M_PI * radius * radius * density[i];
 		double paths = count > 0 ? count * disc / total
 					 : disc / (settings->spacing > 0
 							   ? settings->spacing * settings->spacing

@@ -46,7 +46,7 @@ PhotonSettings photon_settings_default(void)
 	return (PhotonSettings){
 		.gather_min = 20,
 		.gather_max = 100,
-		.jitter = 0.4,
+		.autostop = 1,
 		.adc_bailout = -1,
 		.expand_increase = 0.2,
 		.expand_min = 40,

@@ -64,8 +64,8 @@ typedef struct PhotonSettings {
 	int gather_min, gather_max; /* 20, 100 */
 	/* Surface and media: first radius, its factor, then the same for gathering. 0: unset. */
 	struct { double radius, factor, gather_radius, gather_factor; } radii[PHOTON_RADII];
-	double jitter;              /* 0.4 */
-	double autostop;            /* 0 */
+	double jitter;              /* 0: paths start without a grid */
+	double autostop;            /* 1: never */
 	int max_trace_level;        /* 0: the scene's */
 	double adc_bailout;         /* -1: the scene's */
 	double expand_increase;     /* 0.2 */

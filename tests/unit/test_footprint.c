@@ -135,6 +135,44 @@ static void test_border(void)
 	photon_map_destroy(map);
 }
 
+/* Photons that left another light at the same coordinates, for the same floor or for the other side
+ * of it, are no neighbours: the first light's footprints stay, and the others add their own or
+ * nothing. */
+static void test_strangers(void)
+{
+	enum { COUNT = 2000 };
+	for (int below = 0; below < 2; below++) {
+		PhotonMap *alone = make_map(COUNT, 0, straight), *both = make_map(2 * COUNT, 0, straight);
+		both->lights = realloc(both->lights, 2 * sizeof(PhotonLight));
+		both->lights[0] = both->lights[1] = alone->lights[0];
+		both->light_count = 2;
+		for (uint32_t i = 0; i < COUNT; i++) {
+			Photon *p = &both->photons[COUNT + i];
+			both->photons[i] = *p = alone->photons[i];
+			p->light = 1;
+			p->position[0] = 10 - p->position[0];
+			if (below) {
+				p->position[0] = alone->photons[i].position[0] + 0.001f;
+				p->position[1] = -0.0005f;
+				photon_set_normal(p, vec3(0, -1, 0));
+			}
+		}
+		photon_map_index(both, 0);
+		DensityEstimator *one = make(alone, 0), *two = make(both, 0);
+		for (double u = 0.1; u < 0.9; u += 0.1) {
+			double x, z;
+			straight(u, 0.5, &x, &z);
+			CHECK_NEAR(density(two, x, z, 0), density(one, x, z, 0), 1e-6);
+			if (!below)
+				CHECK_NEAR(density(two, 10 - x, z, 0), density(one, x, z, 0), 0.01);
+		}
+		estimator_destroy(one);
+		estimator_destroy(two);
+		photon_map_destroy(alone);
+		photon_map_destroy(both);
+	}
+}
+
 /* Passes of shrinking kernels come nearer to the truth beside a fold. */
 static void test_passes(void)
 {
@@ -202,6 +240,7 @@ int main(void)
 	test_even();
 	test_energy();
 	test_border();
+	test_strangers();
 	test_passes();
 	test_few();
 	return CHECK_RESULT();

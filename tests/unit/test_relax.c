@@ -298,6 +298,33 @@ static void test_strangers(Relaxation settings)
 	}
 }
 
+/* In parameter space photons of another light are no neighbours, even those that start at the same
+ * coordinates and land at the same places. */
+static void test_other_light(void)
+{
+	Relaxation settings = constrained();
+	settings.world_iterations = 0;
+	PhotonMap *both = noise(4000), *alone = noise(2000);
+	for (uint32_t i = 2000; i < 4000; i++) {
+		both->photons[i] = both->photons[i - 2000];
+		both->photons[i].position[0] += 1e-4f;
+		both->photons[i].light = 1;
+	}
+	photon_relax(both, &settings, &EVERYWHERE, NULL);
+	photon_relax(alone, &settings, &EVERYWHERE, NULL);
+	double most = 0, moved = 0;
+	for (uint32_t i = 0; i < 2000; i++) {
+		const float *p = both->photons[i].position, *q = alone->photons[i].position;
+		most = fmax(most, hypot(p[0] - q[0], p[2] - q[2]));
+		moved = fmax(moved, hypot(q[0] - alone->photons[i].emitter[0],
+					  q[2] - alone->photons[i].emitter[1]));
+	}
+	CHECK(most < 1e-6);
+	CHECK(moved > 0.001);
+	photon_map_destroy(both);
+	photon_map_destroy(alone);
+}
+
 /* A table that ends at x = 0.5: nothing moves past its edge. */
 static bool table(void *data, RelaxPlace *at, double step)
 {
@@ -395,6 +422,7 @@ int main(void)
 	test_isotropic_noise();
 	test_freedom();
 	test_edge();
+	test_other_light();
 	test_line();
 	test_off();
 	test_settings();
