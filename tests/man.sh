@@ -18,6 +18,14 @@ examples()
 		sed -n '/^\.Bd/,/^\.Ed/{/^\.Bd/d;s/^\.Ed/---/;p;}'
 }
 
+# Every word of the language's extension and every long option has its place.
+for word in $(sed -n 's/^WORD(.*, "\(.*\)", WORD_EXTENSION)$/\1/p' "$SOURCES/lang/words.def"); do
+	grep -q "^\.\(Ic\|It Ic\) \(.* \)*$word\b" "$SOURCES/man/cognac-language.5" || fail "cognac-language.5 does not know $word"
+done
+for option in $(sed -n 's/^\t{"\([a-z-]*\)", .*, \(true\|false\)},$/\1/p' "$SOURCES/src/cli/words.c"); do
+	grep -q "^\.It.* Fl -$option\b" "$SOURCES/man/cognac.1" || fail "cognac.1 does not know --$option"
+done
+
 # Each line of the examples of a page is a command.
 run_examples()
 {
