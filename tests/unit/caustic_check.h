@@ -47,7 +47,7 @@ typedef struct FloorFrame {
 	double x, z, along_x, along_z;
 } FloorFrame;
 
-static void floor_coordinates(const FloorFrame *frame, const Photon *photon, double *a, double *b)
+static inline void floor_coordinates(const FloorFrame *frame, const Photon *photon, double *a, double *b)
 {
 	double x = photon->position[0] - frame->x, z = photon->position[2] - frame->z;
 	*a = x * frame->along_x + z * frame->along_z;
@@ -56,7 +56,7 @@ static void floor_coordinates(const FloorFrame *frame, const Photon *photon, dou
 
 /* Flux (grey) in the rectangle |a - middle| < half_a, |b| < half_b, and how many photons that
  * is. */
-static double floor_flux(const PhotonMap *map, const FloorFrame *frame,
+static inline double floor_flux(const PhotonMap *map, const FloorFrame *frame,
                          const double rectangle[3], int *count)
 {
 	double sum = 0;
