@@ -14,8 +14,8 @@ CLEANFILES += tests/bench/relaxation-trial
 
 tests/bench/relaxation-times: tests/bench/relaxation.cc tests/bench/wave.h $(RELAX_LIBS)
 	$(MKDIR_P) tests/bench
-	g++ -O2 $(DEFS) $(AM_CPPFLAGS) -fopenmp -o $@ $(srcdir)/tests/bench/relaxation.cc $(RELAX_LIBS) -llz4 -lm
+	$${CXX:-g++} -O2 $(DEFS) $(AM_CPPFLAGS) -fopenmp -o $@ $(srcdir)/tests/bench/relaxation.cc $(RELAX_LIBS) -llz4 -lm
 bench-relaxation: tests/bench/relaxation-times
-	tests/bench/relaxation-times
+	tests/bench/relaxation-times $${RUNS:-5}
 CLEANFILES += tests/bench/relaxation-times
 .PHONY: bench-relaxation
