@@ -88,3 +88,11 @@ bench-footprint: cognac$(EXEEXT) cognac-compare$(EXEEXT) tests/bench/footprint_t
 	COGNAC=$(abs_builddir)/cognac COMPARE=$(abs_builddir)/cognac-compare SOURCES=$(abs_srcdir) \
 		TRIAL=tests/bench/footprint_trial sh $(srcdir)/tests/bench/footprint.sh footprint-bench $(BENCH_PASSES)
 .PHONY: bench-footprint
+
+# Ways to look footprints up: our tree, Embree's point queries, splatting.
+EXTRA_PROGRAMS += tests/bench/footprint_lookup
+tests_bench_footprint_lookup_SOURCES = tests/bench/footprint_lookup.c tests/bench/wave.h
+tests_bench_footprint_lookup_LDADD = libdensity.a libphoton.a libscene.a libbase.a $(EMBREE_LIBS)
+bench-footprint-lookup: tests/bench/footprint_lookup$(EXEEXT)
+	OMP_NUM_THREADS=1 tests/bench/footprint_lookup
+.PHONY: bench-footprint-lookup

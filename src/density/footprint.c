@@ -73,9 +73,8 @@ typedef struct Gathering {
 	double radius;
 } Gathering;
 
-static void add_footprint(void *data, uint32_t number)
+static void add_footprint(Gathering *g, uint32_t number)
 {
-	Gathering *g = data;
 	const Footprint *f = &g->map->footprints[number];
 	const float x[3] = {g->at[0] - f->at[0], g->at[1] - f->at[1], g->at[2] - f->at[2]};
 	const GatherTask *task = g->sum.task;
@@ -87,6 +86,12 @@ static void add_footprint(void *data, uint32_t number)
 	g->radius += radius;
 }
 
+static void add_footprints(void *data, const uint32_t *numbers, int count)
+{
+	for (int i = 0; i < count; i++)
+		add_footprint(data, numbers[i]);
+}
+
 static void footprint_gather(const void *method, const GatherTask *task, GatherResult *result)
 {
 	Vec3 p = task->point->position;
@@ -95,7 +100,7 @@ static void footprint_gather(const void *method, const GatherTask *task, GatherR
 	               .at = {(float)p.x, (float)p.y, (float)p.z}};
 	Vec3 reach = vec3_all(sqrt(pixel2));
 	Box3 box = {vec3_sub(p, reach), vec3_add(p, reach)};
-	footprint_tree_visit(&g.map->tree, box, add_footprint, &g);
+	footprint_tree_visit(&g.map->tree, box, add_footprints, &g);
 	gather_finish(&g.sum, g.sum.photons > 0 ? g.radius / g.sum.photons : 0, result);
 }
 

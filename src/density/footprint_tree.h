@@ -1,7 +1,7 @@
 /*
- * Which footprints cover a point: a tree of boxes, eight children a node, over footprints ordered
- * by size and then along a space-filling curve, so that a few large ones don't widen the boxes of
- * many small ones. Implicit: the children of box i of a level are the boxes 8 i .. 8 i + 7 of the
+ * Which footprints cover a point: a tree of boxes, eight children a node, over footprints parted
+ * by where they are and by their extents, so that a few large ones don't widen the boxes of many
+ * small ones. Implicit: the children of box i of a level are the boxes 8 i .. 8 i + 7 of the
  * level below, and below the lowest are the footprints.
  */
 #ifndef DENSITY_FOOTPRINT_TREE_H
@@ -28,8 +28,8 @@ void footprint_tree_order(const Box3 *boxes, uint32_t count, uint32_t *order);
 /* boxes in that order. The nodes are the caller's to free. */
 FootprintTree footprint_tree_build(const Box3 *boxes, uint32_t count);
 
-/* Hands over every footprint whose box meets the box, in ascending order. */
-typedef void FootprintVisit(void *data, uint32_t footprint);
+/* Hands over every footprint whose box meets the box, some at a time, in ascending order. */
+typedef void FootprintVisit(void *data, const uint32_t *footprints, int count);
 void footprint_tree_visit(const FootprintTree *tree, Box3 box, FootprintVisit *visit, void *data);
 
 #endif

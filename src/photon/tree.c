@@ -18,6 +18,12 @@ void photon_tree_destroy(PhotonTree *tree)
 	free(tree);
 }
 
+void photon_tree_order(const PhotonTree *tree, uint32_t *order)
+{
+	for (uint32_t i = 0; i < tree->count; i++)
+		order[i] = tree->leaves[i / TREE_WIDTH].index[i % TREE_WIDTH];
+}
+
 float photon_tree_farthest(const Neighbor *found, int count)
 {
 	float farthest = 0;

@@ -43,6 +43,9 @@ typedef struct EmitterRange {
 PhotonTree *photon_tree_create(const TreePoints *points);
 void photon_tree_destroy(PhotonTree *tree); /* NULL is allowed */
 
+/* The points' numbers in the tree's order, in which runs of 8, 64, 512... of them are compact. */
+void photon_tree_order(const PhotonTree *tree, uint32_t *order);
+
 /* The count nearest points nearer than sqrt(max_distance2), in no order, in out (room for
  * count + 8 x TREE_SLACK of them); returns how many. range: NULL for no constraint. The
  * farthest of a full set bounds the kernel: photon_tree_farthest. */

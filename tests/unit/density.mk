@@ -8,3 +8,6 @@ tests_unit_test_density_LDADD = libdensity.a libphoton.a libscene.a libbase.a
 check_PROGRAMS += tests/unit/test_footprint
 tests_unit_test_footprint_SOURCES = tests/unit/test_footprint.c tests/unit/check.h
 tests_unit_test_footprint_LDADD = libdensity.a libphoton.a libscene.a libbase.a
+check_PROGRAMS += tests/unit/test_footprint_tree
+tests_unit_test_footprint_tree_SOURCES = tests/unit/test_footprint_tree.c tests/unit/check.h
+tests_unit_test_footprint_tree_LDADD = libphoton.a libbase.a
