@@ -202,10 +202,19 @@ static void read_relaxation_item(Cursor *cursor, Relaxation *relaxation)
 
 static Relaxation read_relaxation(Context *context, const Node *block)
 {
-	Relaxation relaxation = relaxation_default();
+	enum { UNSAID = -1 };
+	Relaxation relaxation = relaxation_default(), plain = relaxation_plain();
+	int iterations = relaxation.parameter_iterations;
+	relaxation.parameter_iterations = UNSAID;
 	Cursor cursor = cursor_begin(context, block);
 	while (!cursor_at_end(&cursor))
 		read_relaxation_item(&cursor, &relaxation);
+	if (relaxation.parameter_iterations != UNSAID)
+		return relaxation;
+	relaxation.parameter_iterations =
+		relaxation.constrained ? iterations : plain.parameter_iterations;
+	if (!relaxation.constrained)
+		relaxation.world_iterations = plain.world_iterations;
 	return relaxation;
 }
 

@@ -7,7 +7,11 @@
  * As in Spencer & Jones 2013, but: sheets are also told apart by the object and the way there,
  * since a photon reflected and one refracted may have left the light together; density in
  * parameter space counts the photons that arrived by that way; with fewer neighbours than asked
- * for, mean and deviation of chance are those of the number found.
+ * for, mean and deviation of chance are those of the number found; and the constraint is whole
+ * from one deviation above the half disc's l2 on, not only there. Photons stand inside the edge
+ * that they make, half their distance on the average, so even the outermost of an even pattern
+ * see a little more than a half disc: by eqs. 2 and 7 alone 50 neighbours let them go by a fifth
+ * of their distance in 14 iterations. With many neighbours this is eq. 7 again.
  */
 #include "photon/features.h"
 
@@ -43,12 +47,14 @@ double feature_freedom(double l2, int count)
 	const double disc = 0.25, half_disc = 0.25 - 16 / (9 * M_PI * M_PI);
 	if (count < 1 || isnan(l2))
 		return 1;
-	l2 = fmin(fmax(l2, half_disc), disc);
-	double migration = sqrt(disc - l2); /* M, SJ13 eq. 2 */
 	double mean = disc - 0.2809 / sqrt(count),
 	       deviation = 0.188 / sqrt(count); /* eqs. 5 and 4 */
+	double edge = fmin(half_disc + deviation, 0.5 * (half_disc + disc));
+	if (l2 <= edge)
+		return 0;
+	double migration = sqrt(disc - fmin(l2, disc)) / sqrt(disc - edge); /* M, SJ13 eq. 2 */
 	double likelihood = 0.5 * (1 - erf((l2 - mean) / (M_SQRT2 * deviation))); /* Phi, eq. 6 */
-	return fmin(fmax(1 - 0.75 * M_PI * migration * likelihood, 0), 1);
+	return fmin(fmax(1 - migration * likelihood, 0), 1);
 }
 
 /* ---- density in parameter space ---- */

@@ -2,12 +2,14 @@
  * The iterations. Every photon's step follows from where all stood before, so the result depends
  * on no order.
  *
- * Beside SJ13 eqs. 8 and 9: neighbours are photons on the same side of the same object with about
- * the same flux (relax_set.c); a step is at most half the kernel's radius, which noise alone does
- * not reach; and under constraints a photon is moved only by what pushes it beyond what pushes its
- * neighbours (remove_drift). In a trial of a caustic with folds (tests/bench/relaxation_trial.c)
- * of 60,000 photons this took the error at the best K from 1.03 times that of unmoved photons to
- * 0.83, and of stage one alone from 0.79 to 0.74. Plain relaxation is left as published.
+ * Beside SJ13 eqs. 8 and 9: neighbours are photons on the same side of the same object
+ * (relax_set.c); a step is at most half the kernel's radius, which noise alone does not reach; the
+ * lists of those near are twice as long as needed and kept for a few iterations, as photons hardly
+ * change places; and under constraints a neighbour pushes by the light it has in common with the
+ * photon, the product of their fluxes, colour by colour. What is seen is the noise of flux, not of
+ * photons: bright ones must lie evenly among themselves, whatever the dim ones between them do,
+ * and red ones need not make way for blue ones. Photons of equal flux push as in eq. 8. Plain
+ * relaxation is left as published.
  */
 #include "photon/relax.h"
 
@@ -28,41 +30,73 @@
 
 /* ---- one photon's step ---- */
 
+static inline float dot(const float a[3], const float b[3])
+{
+	return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
 typedef struct Force {
 	float at[3], radius; /* radius: distance of the farthest that pushes */
 } Force;
 
-/* SJ13 eq. 8. */
-static inline Force force_on(const RelaxSet *set, uint32_t i)
+/* Those near a photon: where it lies from each, how far (squared), and the light in common. */
+typedef struct Near {
+	float x[RELAX_MOST], y[RELAX_MOST], z[RELAX_MOST], distance2[RELAX_MOST],
+		common[RELAX_MOST];
+	int count;
+} Near;
+
+static inline void look_around(const RelaxSet *set, uint32_t i, Near *near)
 {
-	const float *p = set->points[i].position;
+	const RelaxPoint *p = &set->points[i];
 	const uint32_t *row = set->lists.index + (size_t)i * (size_t)set->lists.most;
-	int count = set->lists.counts[i];
-	float dx[RELAX_MOST], dy[RELAX_MOST], dz[RELAX_MOST], distance[RELAX_MOST], radius = 0;
-	for (int j = 0; j < count; j++) {
-		const float *q = set->points[row[j]].position;
-		dx[j] = p[0] - q[0];
-		dy[j] = p[1] - q[1];
-		dz[j] = p[2] - q[2];
+	near->count = set->lists.counts[i];
+	for (int j = 0; j < near->count; j++) {
+		const RelaxPoint *q = &set->points[row[j]];
+		near->x[j] = p->position[0] - q->position[0];
+		near->y[j] = p->position[1] - q->position[1];
+		near->z[j] = p->position[2] - q->position[2];
+		near->common[j] = set->bases ? dot(p->flux, q->flux) : 1;
 	}
-	for (int j = 0; j < count; j++)
-		distance[j] = sqrtf(dx[j] * dx[j] + dy[j] * dy[j] + dz[j] * dz[j]);
-	for (int j = 0; j < count; j++)
-		radius = distance[j] > radius ? distance[j] : radius;
-	Force f = {{0, 0, 0}, radius};
-	const float tiny = 1e-20f; /* epsilon: two photons at one place do not push each other */
-	for (int j = 0; j < count; j++) {
-		float push = (radius / (distance[j] + tiny) - 1) / (float)count;
-		f.at[0] += dx[j] * push;
-		f.at[1] += dy[j] * push;
-		f.at[2] += dz[j] * push;
-	}
-	return f;
+	for (int j = 0; j < near->count; j++)
+		near->distance2[j] = near->x[j] * near->x[j] + near->y[j] * near->y[j] +
+				     near->z[j] * near->z[j];
 }
 
-static inline float dot(const float a[3], const float b[3])
+/* The most of the values that fewer than k others are less than: the k-th, or the last. */
+static inline float kth_least(const float *values, int count, int k)
 {
-	return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+	float kth = 0;
+	for (int j = 0; j < count; j++) {
+		int less = 0;
+		for (int n = 0; n < count; n++)
+			less += values[n] < values[j];
+		kth = less < k && values[j] > kth ? values[j] : kth;
+	}
+	return kth;
+}
+
+/* SJ13 eq. 8, the mean weighed by the light in common; the farthest of them does not push. */
+static inline Force force_on(const RelaxSet *set, uint32_t i, int neighbors)
+{
+	Near near;
+	look_around(set, i, &near);
+	float radius2 = kth_least(near.distance2, near.count, neighbors), radius = sqrtf(radius2);
+	Force f = {{0, 0, 0}, radius};
+	float weight = 0;
+	const float tiny = 1e-20f; /* epsilon: two photons at one place do not push each other */
+	for (int j = 0; j < near.count; j++) {
+		float push = near.common[j] * (radius / (sqrtf(near.distance2[j]) + tiny) - 1);
+		push = near.distance2[j] <= radius2 ? push : 0;
+		weight += near.distance2[j] <= radius2 ? near.common[j] : 0;
+		f.at[0] += near.x[j] * push;
+		f.at[1] += near.y[j] * push;
+		f.at[2] += near.z[j] * push;
+	}
+	float share = weight > 0 ? 1 / weight : 0;
+	for (int k = 0; k < 3; k++)
+		f.at[k] *= share;
+	return f;
 }
 
 /* SJ13 eq. 9, or without constraints what lies in the tangent plane. */
@@ -95,8 +129,8 @@ typedef struct Step {
 } Step;
 
 typedef struct Work {
-	Force *forces;
 	Step *steps;
+	int neighbors;
 } Work;
 
 static void stay(const RelaxPoint *point, Step *step)
@@ -126,37 +160,12 @@ static void project(const RelaxSet *set, const RelaxPoint *point, float length, 
 	put(step->normal, place.normal);
 }
 
-CLONES static void force_run(RelaxSet *set, uint32_t first, uint32_t end, void *data)
-{
-	Work *work = data;
-	for (uint32_t i = first; i < end; i++)
-		work->forces[i] = force_on(set, i);
-}
-
-/*
- * The drift: what a photon and those that push it are pushed by on average. Noise cancels in it;
- * what is left is the pressure of dense light towards thin, which would flatten the caustic.
- */
-static inline void remove_drift(const RelaxSet *set, const Force *forces, uint32_t i, Force *f)
-{
-	const uint32_t *row = set->lists.index + (size_t)i * (size_t)set->lists.most;
-	int count = set->lists.counts[i];
-	float sum[3] = {f->at[0], f->at[1], f->at[2]}, share = 1.0f / (float)(count + 1);
-	for (int j = 0; j < count; j++)
-		for (int k = 0; k < 3; k++)
-			sum[k] += forces[row[j]].at[k];
-	for (int k = 0; k < 3; k++)
-		f->at[k] -= share * sum[k];
-}
-
 CLONES static void step_run(RelaxSet *set, uint32_t first, uint32_t end, void *data)
 {
 	const Work *work = data;
 	for (uint32_t i = first; i < end; i++) {
 		const RelaxPoint *point = &set->points[i];
-		Force f = work->forces[i];
-		if (set->bases)
-			remove_drift(set, work->forces, i, &f);
+		Force f = force_on(set, i, work->neighbors);
 		constrain(set, i, &f);
 		limit(&f);
 		stay(point, &work->steps[i]);
@@ -179,17 +188,22 @@ static void move_run(RelaxSet *set, uint32_t first, uint32_t end, void *data)
 
 /* ---- all ---- */
 
+/*
+ * How many iterations the lists of those near last. A photon moves by a fraction of its distance
+ * to the next in so many, and lists are twice as long as needed.
+ */
+enum { LIST_ITERATIONS = 4 };
+
 static void iterate(RelaxSet *set, const Relaxation *settings, RelaxSpace space, int iterations)
 {
-	size_t room = (size_t)set->count + 1;
-	Work work = {memory_alloc(sizeof(Force) * room), memory_alloc(sizeof(Step) * room)};
+	int neighbors = settings->repulsion_neighbors, listed = 2 * neighbors;
+	Work work = {memory_alloc(sizeof(Step) * ((size_t)set->count + 1)), neighbors};
 	for (int i = 0; i < iterations; i++) {
-		relax_lists_fill(set, space, settings->repulsion_neighbors);
-		relax_set_each(set, force_run, &work);
+		if (i % LIST_ITERATIONS == 0)
+			relax_lists_fill(set, space, listed < RELAX_MOST ? listed : RELAX_MOST);
 		relax_set_each(set, step_run, &work);
 		relax_set_each(set, move_run, &work);
 	}
-	free(work.forces);
 	free(work.steps);
 }
 

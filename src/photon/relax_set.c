@@ -27,14 +27,31 @@ static uint16_t sheet_of(const Photon *photon)
 static RelaxPoint make_point(const Photon *photon, uint32_t number)
 {
 	RelaxPoint point = {.photon = number, .sheet = sheet_of(photon), .object = photon->object,
-	                    .gray = rgb_gray(photon_flux(photon)), .range2 = INFINITY};
+			    .range2 = INFINITY};
+	Rgb flux = photon_flux(photon);
 	Vec3 normal = photon_normal(photon);
 	memcpy(point.position, photon->position, sizeof point.position);
 	memcpy(point.emitter, photon->emitter, sizeof point.emitter);
 	point.normal[0] = (float)normal.x;
 	point.normal[1] = (float)normal.y;
 	point.normal[2] = (float)normal.z;
+	point.flux[0] = flux.r;
+	point.flux[1] = flux.g;
+	point.flux[2] = flux.b;
 	return point;
+}
+
+/* So that products of fluxes are no extreme numbers, whatever the scene's unit of length. */
+static void scale_fluxes(RelaxSet *set)
+{
+	double sum = 0;
+	for (uint32_t i = 0; i < set->count; i++)
+		for (int k = 0; k < 3; k++)
+			sum += (double)set->points[i].flux[k];
+	float scale = sum > 0 && isfinite(sum) ? (float)(3 * set->count / sum) : 1;
+	for (uint32_t i = 0; i < set->count; i++)
+		for (int k = 0; k < 3; k++)
+			set->points[i].flux[k] *= scale;
 }
 
 static void sort_points(RelaxSet *set)
@@ -75,6 +92,7 @@ void relax_set_init(RelaxSet *set, const PhotonMap *map, const RelaxSurfaces *su
 		set->points[set->count++] = make_point(&map->photons[i], i);
 		set->objects |= map->photons[i].object != set->points[0].object;
 	}
+	scale_fluxes(set);
 	sort_points(set);
 	if (surfaces->project)
 		relax_set_each(set, settle_normals, NULL);
@@ -151,17 +169,11 @@ bool relax_set_range(const RelaxSet *set, RelaxSpace space, uint32_t point, Emit
 /* cosine of 45 degrees: beyond an edge or on the other side is another surface. */
 static const float SAME_SIDE = 0.7f;
 
-/*
- * Photons of very different flux do not push each other. Pushed together, each kind alone keeps
- * its noise, as any random part of an even pattern does, and the few bright ones make the noise
- * that is seen. Each kind pushed apart on its own is even, and so is the sum. Photons of several
- * lights with like flux are one pattern, which is the more even for it.
- */
-static bool repels(const RelaxPoint *a, const RelaxPoint *b)
+static bool same_side(const RelaxPoint *a, const RelaxPoint *b)
 {
-	float along = a->normal[0] * b->normal[0] + a->normal[1] * b->normal[1] +
-		      a->normal[2] * b->normal[2];
-	return along >= SAME_SIDE && a->gray <= 2 * b->gray && b->gray <= 2 * a->gray;
+	return a->normal[0] * b->normal[0] + a->normal[1] * b->normal[1] +
+		       a->normal[2] * b->normal[2] >=
+	       SAME_SIDE;
 }
 
 static void drop_farthest(Neighbor *near, int *count)
@@ -179,11 +191,11 @@ static void drop_farthest(Neighbor *near, int *count)
 typedef struct FillJob {
 	const PhotonTree *tree;
 	RelaxSpace space;
-	int widest; /* the most that is asked for when many found do not repel */
+	int widest; /* the most that is asked for when many found lie on another side */
 } FillJob;
 
-/* The neighbours among `asked` nearest that repel the point; *met: how many were found at all. */
-static int find_repelling(const RelaxSet *set, const FillJob *job, uint32_t i, int asked,
+/* Those of the `asked` nearest on the point's side; *met: how many were found at all. */
+static int find_near(const RelaxSet *set, const FillJob *job, uint32_t i, int asked,
 			  Neighbor *near, int *met)
 {
 	const RelaxPoint *point = &set->points[i];
@@ -196,7 +208,7 @@ static int find_repelling(const RelaxSet *set, const FillJob *job, uint32_t i, i
 	*met = photon_tree_nearest(job->tree, &query, near);
 	int kept = 0;
 	for (int j = 0; j < *met; j++) {
-		if (near[j].index != i && repels(point, &set->points[near[j].index]))
+		if (near[j].index != i && same_side(point, &set->points[near[j].index]))
 			near[kept++] = near[j];
 	}
 	return kept;
@@ -208,10 +220,10 @@ static void fill_run(RelaxSet *set, uint32_t first, uint32_t end, void *data)
 	int most = set->lists.most;
 	Neighbor near[job->widest + 8 * TREE_SLACK];
 	for (uint32_t i = first; i < end; i++) {
-		int asked = most + 1, met, count = find_repelling(set, job, i, asked, near, &met);
+		int asked = most + 1, met, count = find_near(set, job, i, asked, near, &met);
 		while (count < most && met == asked && asked < job->widest) {
 			asked = 2 * asked < job->widest ? 2 * asked : job->widest;
-			count = find_repelling(set, job, i, asked, near, &met);
+			count = find_near(set, job, i, asked, near, &met);
 		}
 		while (count > most)
 			drop_farthest(near, &count);

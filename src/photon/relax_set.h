@@ -9,11 +9,11 @@
 
 typedef struct RelaxPoint {
 	float position[3];
-	float gray;        /* flux */
-	float emitter[3];
 	float range2;      /* square of the search range in parameter space, SJ13 eq. 1 */
-	float normal[3];
+	float emitter[3];
 	uint32_t photon;   /* number in the map */
+	float normal[3];
+	float flux[3];     /* 1: the mean of all photons */
 	uint16_t sheet; /* hash of light, object and way: photons of one sheet of the caustic have
 			   the same */
 	uint16_t object;
@@ -27,7 +27,10 @@ typedef struct RelaxBasis {
 	float u[3], v[3], v_length;
 } RelaxBasis;
 
-/* The points that push each one: rows of `most` indices, the first counts[i] of them used. */
+/*
+ * The points near each one, some of which push it: rows of `most` indices, the first counts[i] of
+ * them used.
+ */
 typedef struct RelaxLists {
 	uint32_t *index;
 	uint8_t *counts;
@@ -57,7 +60,7 @@ void relax_set_store(const RelaxSet *set, PhotonMap *map);
 PhotonTree *relax_set_tree(const RelaxSet *set, RelaxSpace space);
 /* Among whom a point looks for neighbours in such a tree; false: among all. */
 bool relax_set_range(const RelaxSet *set, RelaxSpace space, uint32_t point, EmitterRange *range);
-/* Fills in the lists with up to `most` neighbours on the same side of the same object. */
+/* Fills in the lists with the up to `most` nearest on the same side of the same object. */
 void relax_lists_fill(RelaxSet *set, RelaxSpace space, int most);
 
 /* body(set, first, end, thread) over runs of all points, in parallel. */

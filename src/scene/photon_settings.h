@@ -83,6 +83,8 @@ PhotonSettings photon_settings_default(void);
 /* An estimator's settings when only its word is said; "povray" stands for saying nothing. False for
  * other names. */
 bool photon_estimator_named(const char *name, Estimator *out);
+/* Relaxation under constraints, and plain, when only the word is said. */
 Relaxation relaxation_default(void);
+Relaxation relaxation_plain(void);
 
 #endif

@@ -47,9 +47,7 @@ static Relaxation constrained(void) { return relaxation_default(); }
 
 static Relaxation plain(void)
 {
-	Relaxation settings = relaxation_default();
-	settings.constrained = false;
-	return settings;
+	return relaxation_plain();
 }
 
 /* ---- the constraint ---- */
@@ -129,6 +127,36 @@ static Movement movement(const PhotonMap *before, const PhotonMap *after, float 
 	m.across /= m.count;
 	m.along /= m.count;
 	return m;
+}
+
+/*
+ * Half of the plane, up to x = 0, filled by an even pattern: what lies around a photon of its edge
+ * is the half disc, and it does not move across. Without constraints it would move out by more
+ * than half the distance to the next.
+ */
+static void test_half_disc(void)
+{
+	enum { SIDE = 60 };
+	const double spacing = 1.0 / SIDE, shift = 0.5;
+	double most[2] = {0, 0}; /* across: constrained, plain */
+	for (int kind = 0; kind < 2; kind++) {
+		PhotonMap *map = make_map(SIDE * SIDE), *before = make_map(SIDE * SIDE);
+		for (uint32_t i = 0; i < SIDE * SIDE; i++) {
+			double column = i / SIDE, row = i % SIDE + (i / SIDE % 2 ? shift : 0);
+			place(&map->photons[i], sqrt(0.75) * spacing * column, spacing * row);
+			before->photons[i] = map->photons[i];
+		}
+		Relaxation settings = kind ? plain() : constrained();
+		photon_relax(map, &settings, &EVERYWHERE, NULL);
+		for (uint32_t i = SIDE / 3; i < 2 * SIDE / 3; i++) {
+			double moved = fabs((double)map->photons[i].position[0] -
+					    before->photons[i].position[0]);
+			most[kind] = fmax(most[kind], moved / spacing);
+		}
+		photon_map_destroy(map);
+		photon_map_destroy(before);
+	}
+	CHECK(most[0] < 0.01 && most[1] > 0.5);
 }
 
 /* Photons up to an edge: those at it move along it; noise leaves a little movement across. */
@@ -267,21 +295,16 @@ static void test_fixed_object(Relaxation settings)
 	photon_map_destroy(alone);
 }
 
-/*
- * Two sides of a thin wall, two objects side by side, few bright photons among many dim ones: each
- * moves as if alone.
- */
+/* Two sides of a thin wall, two objects side by side: each moves as if alone. */
 static void test_strangers(Relaxation settings)
 {
-	for (int kind = 0; kind < 3; kind++) {
+	for (int kind = 0; kind < 2; kind++) {
 		PhotonMap *both = noise(4000), *alone = noise(2000);
 		for (uint32_t i = 2000; i < 4000; i++) {
 			if (kind == 0)
 				photon_set_normal(&both->photons[i], vec3(0, -1, 0));
-			else if (kind == 1)
-				both->photons[i].object = 7;
 			else
-				photon_set_flux(&both->photons[i], rgb(10, 10, 10));
+				both->photons[i].object = 7;
 			both->photons[i].light = 1;
 		}
 		photon_relax(both, &settings, &EVERYWHERE, NULL);
@@ -323,6 +346,64 @@ static void test_other_light(void)
 	CHECK(moved > 0.001);
 	photon_map_destroy(both);
 	photon_map_destroy(alone);
+}
+
+/* One photon in ten bears other light: what becomes of those. */
+static double unevenness_of_tenth(Rgb light, Relaxation settings)
+{
+	enum { COUNT = 20000, TENTH = COUNT / 10 };
+	PhotonMap *map = noise(COUNT), *tenth = make_map(TENTH);
+	for (uint32_t i = 0; i < TENTH; i++)
+		photon_set_flux(&map->photons[10 * i], light);
+	photon_relax(map, &settings, &EVERYWHERE, NULL);
+	for (uint32_t i = 0; i < TENTH; i++)
+		tenth->photons[i] = map->photons[10 * i];
+	double result = unevenness(tenth);
+	photon_map_destroy(map);
+	photon_map_destroy(tenth);
+	return result;
+}
+
+/*
+ * Few bright photons among many dim ones become even among themselves, and so do those of another
+ * colour. A tenth of one even pattern keeps its noise, and so do photons without light.
+ */
+static void test_unlike_flux(void)
+{
+	Relaxation settings = constrained();
+	double like = unevenness_of_tenth(rgb(1, 0.5f, 0.25f), settings);
+	CHECK(like > 0.6 * (4 / M_PI - 1));
+	CHECK(unevenness_of_tenth(rgb(100, 50, 25), settings) < 0.5 * like);
+	CHECK(unevenness_of_tenth(rgb(0, 0, 10), settings) < 0.5 * like);
+	CHECK(unevenness_of_tenth(rgb(0, 0, 0), settings) > 0.9 * like);
+}
+
+static double total_flux(const PhotonMap *map)
+{
+	double sum = 0;
+	for (uint32_t i = 0; i < map->count; i++) {
+		Rgb flux = photon_flux(&map->photons[i]);
+		sum += (double)flux.r + (double)flux.g + (double)flux.b;
+	}
+	return sum;
+}
+
+/*
+ * Two lights of unlike flux on one floor: all stay, each with its flux, and the sum is the same to
+ * the last bit.
+ */
+static void test_total_flux(Relaxation settings)
+{
+	PhotonMap *map = noise(6000);
+	for (uint32_t i = 0; i < 6000; i++) {
+		map->photons[i].light = i % 3 == 0;
+		if (i % 3 == 0)
+			photon_set_flux(&map->photons[i], rgb(7, 0.1f * (float)(i % 100), 0));
+	}
+	double before = total_flux(map);
+	CHECK(photon_relax(map, &settings, &EVERYWHERE, NULL));
+	CHECK(before > 0 && total_flux(map) == before);
+	photon_map_destroy(map);
 }
 
 /* A table that ends at x = 0.5: nothing moves past its edge. */
@@ -421,11 +502,13 @@ int main(void)
 {
 	test_isotropic_noise();
 	test_freedom();
+	test_half_disc();
 	test_edge();
 	test_other_light();
 	test_line();
 	test_off();
 	test_settings();
+	test_unlike_flux();
 	for (int i = 0; i < 2; i++) {
 		Relaxation settings = i ? plain() : constrained();
 		test_noise(settings);
@@ -434,6 +517,7 @@ int main(void)
 		test_order(settings);
 		test_fixed_object(settings);
 		test_strangers(settings);
+		test_total_flux(settings);
 		test_edge_of_object(settings);
 		test_few(settings);
 	}
