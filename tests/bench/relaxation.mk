@@ -9,6 +9,7 @@ tests/bench/relaxation-trial: tests/bench/relaxation_trial.c tests/bench/wave.h 
 trial-relaxation: tests/bench/relaxation-trial
 	tests/bench/relaxation-trial 60000
 	tests/bench/relaxation-trial 600000
+	tests/bench/relaxation-trial -r 600000
 CLEANFILES += tests/bench/relaxation-trial
 .PHONY: trial-relaxation
 

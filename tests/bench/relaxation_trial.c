@@ -2,22 +2,27 @@
  * A trial of relaxation in two dimensions: how far the density of the wave's caustic (wave.h) is
  * from its reference, by the nearest K photons under Epanechnikov's kernel, for several K: of
  * photons where they landed, relaxed plainly, and under constraints. The reference is the
- * closed-form map itself, 12 million paths counted in pixels. The columns: RMSE and MRSE (eps
- * 1e-2) of a picture whose mean is about 1.
+ * closed-form map itself, 36 million paths counted in pixels. The columns: RMSE and MRSE (eps
+ * 1e-2) of a picture whose mean is about 1, the errors' squares averaged over three sets of
+ * photons.
  *
- * Usage: relaxation_trial [PHOTONS [PARAMETER_ITERATIONS,WORLD_ITERATIONS,RANGE,KC,KF ...]]
- * Without settings: the defaults, and stage one alone.
+ * Usage: relaxation_trial [-r] [-s SEED] [PHOTONS [SETTINGS ...]]
+ * SETTINGS: PARAMETER_ITERATIONS,WORLD_ITERATIONS,RANGE,KC,KF; without any: the defaults, stage
+ * one of them alone, and Spencer & Jones 2013's. -r: paths start anywhere, not at Halton's points.
+ * -s: the first of the seeds, which shift Halton's points.
  */
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <unistd.h>
 
 #include "base/arena.h"
 #include "base/parallel.h"
+#include "base/random.h"
 #include "photon/relax.h"
 #include "tests/bench/wave.h"
 
-enum { PIXELS = 200, SAMPLES = 2, REFERENCE_PATHS = 12000000 };
+enum { PIXELS = 200, SAMPLES = 2, REFERENCE_PATHS = 36000000, SETS = 3 };
 
 typedef struct Image { double at[PIXELS * PIXELS]; } Image;
 
@@ -38,14 +43,35 @@ static Image *make_reference(uint64_t paths)
 	return image;
 }
 
-static PhotonMap *make_photons(uint32_t paths)
+/* How the photons of a trial start. */
+typedef struct Start {
+	uint32_t paths;
+	uint64_t seed;
+	bool random;
+} Start;
+
+/* Where path i starts: a point of the light, its margin included, moved round by the seed. */
+static void start_path(const Start *start, uint32_t i, double from[2])
 {
+	const double side = 1 + 2 * WAVE_MARGIN;
+	wave_start(i + 1, from);
+	for (int k = 0; k < 2; k++) {
+		double at = random_uniform(start->seed, start->random ? i + 1 : 0, (uint64_t)k);
+		if (!start->random)
+			at += (from[k] + WAVE_MARGIN) / side;
+		from[k] = (at - floor(at)) * side - WAVE_MARGIN;
+	}
+}
+
+static PhotonMap *make_photons(const Start *start)
+{
+	uint32_t paths = start->paths;
 	PhotonMap *map = photon_map_create();
 	map->photons = memory_alloc(sizeof(Photon) * (paths + 1));
 	double side = 1 + 2 * WAVE_MARGIN, flux = side * side / paths;
 	for (uint32_t i = 0; i < paths; i++) {
 		double from[2], to[2];
-		wave_start(i + 1, from);
+		start_path(start, i, from);
 		wave_map(from[0], from[1], to);
 		Photon photon = {.position = {(float)to[0], 0, (float)to[1]},
 				 .emitter = {(float)from[0], (float)from[1], 0},
@@ -109,16 +135,35 @@ enum { COUNTS = sizeof counts / sizeof *counts, FIFTEEN = 2 };
 
 typedef struct Row { Errors at[COUNTS]; int best; } Row;
 
-static Row measure(const char *name, PhotonMap *map, const Image *reference)
+static void add_errors(const PhotonMap *map, const Image *reference, Row *row)
 {
-	Row row = {.best = 0};
 	static Image image;
-	photon_map_index(map, 0);
-	printf("%-22s", name);
 	for (int i = 0; i < COUNTS; i++) {
 		Job job = {map, counts[i], &image};
 		parallel_for(PIXELS, 1, estimate_row, &job);
-		row.at[i] = errors_of(&image, reference);
+		Errors errors = errors_of(&image, reference);
+		row->at[i].rmse += errors.rmse * errors.rmse / SETS;
+		row->at[i].mrse += errors.mrse / SETS;
+	}
+}
+
+/* settings NULL: photons stay. */
+static Row measure(const char *name, Start start, const Relaxation *settings,
+		   const Image *reference)
+{
+	Row row = {.best = 0};
+	const RelaxSurfaces everywhere = {NULL, 0, NULL, NULL};
+	for (int i = 0; i < SETS; i++, start.seed++) {
+		PhotonMap *map = make_photons(&start);
+		if (settings)
+			photon_relax(map, settings, &everywhere, NULL);
+		photon_map_index(map, 0);
+		add_errors(map, reference, &row);
+		photon_map_destroy(map);
+	}
+	printf("%-22s", name);
+	for (int i = 0; i < COUNTS; i++) {
+		row.at[i].rmse = sqrt(row.at[i].rmse);
 		row.best = row.at[i].rmse < row.at[row.best].rmse ? i : row.best;
 		printf(" %6.4f %6.4f", row.at[i].rmse, row.at[i].mrse);
 	}
@@ -134,17 +179,6 @@ static void compare(const char *name, const Row *row, const Row *nearest)
 	       row->at[row->best].rmse / nearest->at[nearest->best].rmse);
 }
 
-static Row relaxed(const char *name, uint32_t paths, Relaxation settings, const Image *reference)
-{
-	const RelaxSurfaces everywhere = {NULL, 0, NULL, NULL};
-	RelaxStatistics statistics;
-	PhotonMap *map = make_photons(paths);
-	photon_relax(map, &settings, &everywhere, &statistics);
-	Row row = measure(name, map, reference);
-	photon_map_destroy(map);
-	return row;
-}
-
 static Relaxation read_settings(const char *text)
 {
 	Relaxation s = relaxation_default();
@@ -153,31 +187,42 @@ static Relaxation read_settings(const char *text)
 	return s;
 }
 
-int main(int argc, char **argv)
+static void try_settings(Start start, const char *const *settings, int count)
 {
-	const char *const defaults[] = {"", "7,0"},
-			  *const *settings = argc > 2 ? (const char *const *)argv + 2 : defaults;
-	int count = argc > 2 ? argc - 2 : 2;
-	uint32_t paths = argc > 1 ? (uint32_t)atoi(argv[1]) : 60000;
-	Relaxation plain = relaxation_default();
-	plain.constrained = false;
-	plain.parameter_iterations = plain.world_iterations = 7;
 	Image *reference = make_reference(REFERENCE_PATHS);
+	Relaxation plain = relaxation_plain();
 	printf("%-22s", "RMSE MRSE, by K");
 	for (int i = 0; i < COUNTS; i++)
 		printf(" %13d", counts[i]);
 	printf("\n");
-	PhotonMap *map = make_photons(paths);
-	Row nearest = measure("nearest", map, reference),
-	    row = relaxed("plain", paths, plain, reference);
+	Row nearest = measure("nearest", start, NULL, reference),
+	    row = measure("plain", start, &plain, reference);
 	compare("plain", &row, &nearest);
 	for (int i = 0; i < count; i++) {
 		char name[64];
+		Relaxation relaxation = read_settings(settings[i]);
 		snprintf(name, sizeof name, "constrained %s", settings[i]);
-		row = relaxed(name, paths, read_settings(settings[i]), reference);
+		row = measure(name, start, &relaxation, reference);
 		compare(name, &row, &nearest);
 	}
-	photon_map_destroy(map);
 	free(reference);
+}
+
+int main(int argc, char **argv)
+{
+	static const char *const defaults[] = {"", "4,0", "7,7,3"};
+	Start start = {60000, 1, false};
+	for (int c; (c = getopt(argc, argv, "rs:")) != -1;) {
+		if (c == '?')
+			return 1;
+		start.random |= c == 'r';
+		start.seed = c == 's' ? strtoull(optarg, NULL, 10) : start.seed;
+	}
+	if (optind < argc)
+		start.paths = (uint32_t)atoi(argv[optind++]);
+	if (optind < argc)
+		try_settings(start, (const char *const *)argv + optind, argc - optind);
+	else
+		try_settings(start, defaults, 3);
 	return 0;
 }
