@@ -16,34 +16,56 @@ static const void *box_placed(Arena *arena, const void *data, const Transform *t
 			  transform_point(transform, box->hi));
 }
 
-/* What one pair of faces leaves of the interval t; false when nothing. */
-static bool cross_slab(const double slab[2], double origin, double direction, int axis, double t[2],
-		       int faces[2])
+typedef struct BoxCrossing {
+	double near[3], far[3]; /* of each pair of faces; a NaN for a ray in a face's plane */
+	double enter, leave;
+} BoxCrossing;
+
+static inline void cross_slab(double lo, double hi, double origin, double direction, int axis,
+			      BoxCrossing *out)
 {
-	if (direction == 0)
-		return origin >= slab[0] && origin <= slab[1];
-	bool up = direction > 0;
-	double near = (slab[up ? 0 : 1] - origin) / direction,
-	       far = (slab[up ? 1 : 0] - origin) / direction;
-	if (near > t[0]) {
-		t[0] = near;
-		faces[0] = 2 * axis + (up ? 0 : 1);
-	}
-	if (far < t[1]) {
-		t[1] = far;
-		faces[1] = 2 * axis + (up ? 1 : 0);
-	}
-	return t[0] <= t[1];
+	double inverse = 1 / direction;
+	double a = (lo - origin) * inverse, b = (hi - origin) * inverse;
+	double near = inverse < 0 ? b : a, far = inverse < 0 ? a : b;
+	out->near[axis] = near;
+	out->far[axis] = far;
+	out->enter = real_max(near, out->enter); /* the second for a NaN */
+	out->leave = real_min(far, out->leave);
+}
+
+static inline bool cross_faces(const Box3 *box, const Ray *ray, BoxCrossing *out)
+{
+	Vec3 o = ray->origin, d = ray->direction;
+	out->enter = -INFINITY;
+	out->leave = INFINITY;
+	cross_slab(box->lo.x, box->hi.x, o.x, d.x, 0, out);
+	cross_slab(box->lo.y, box->hi.y, o.y, d.y, 1, out);
+	cross_slab(box->lo.z, box->hi.z, o.z, d.z, 2, out);
+	return out->enter <= out->leave;
+}
+
+static int near_face(const BoxCrossing *at, const Ray *ray)
+{
+	int axis = at->near[0] == at->enter ? 0 : at->near[1] == at->enter ? 1 : 2;
+	return 2 * axis + (vec3_axis(ray->direction, axis) < 0);
+}
+
+static int far_face(const BoxCrossing *at, const Ray *ray)
+{
+	int axis = at->far[0] == at->leave ? 0 : at->far[1] == at->leave ? 1 : 2;
+	return 2 * axis + !(vec3_axis(ray->direction, axis) < 0);
 }
 
 bool box_cross(Box3 box, const Ray *ray, double t[2], int faces[2])
 {
-	Vec3 o = ray->origin, d = ray->direction;
-	t[0] = -INFINITY;
-	t[1] = INFINITY;
-	return cross_slab((double[]){box.lo.x, box.hi.x}, o.x, d.x, 0, t, faces) &&
-	       cross_slab((double[]){box.lo.y, box.hi.y}, o.y, d.y, 1, t, faces) &&
-	       cross_slab((double[]){box.lo.z, box.hi.z}, o.z, d.z, 2, t, faces);
+	BoxCrossing at;
+	if (!cross_faces(&box, ray, &at))
+		return false;
+	t[0] = at.enter;
+	t[1] = at.leave;
+	faces[0] = near_face(&at, ray);
+	faces[1] = far_face(&at, ray);
+	return true;
 }
 
 static bool box_bounds(const void *data, Box3 *box)
@@ -54,21 +76,21 @@ static bool box_bounds(const void *data, Box3 *box)
 
 static void box_intersect(const Shape *self, const Ray *ray, HitList *out)
 {
-	double t[2];
-	int faces[2];
-	if (!box_cross(*(const Box3 *)self->data, ray, t, faces))
+	BoxCrossing at;
+	if (!cross_faces(self->data, ray, &at))
 		return;
-	hit_list_add(out, ray, self, t[0], faces[0]);
-	hit_list_add(out, ray, self, t[1], faces[1]);
+	hit_list_add(out, ray, self, at.enter, near_face(&at, ray));
+	hit_list_add(out, ray, self, at.leave, far_face(&at, ray));
 }
 
 static bool box_nearest(const Shape *self, const Ray *ray, Hit *out)
 {
-	double t[2];
-	int faces[2];
-	if (!box_cross(*(const Box3 *)self->data, ray, t, faces))
+	BoxCrossing at;
+	if (!cross_faces(self->data, ray, &at) || at.leave <= ray->tmin || at.enter >= ray->tmax)
 		return false;
-	return hit_take(out, ray, self, t[0], faces[0]) || hit_take(out, ray, self, t[1], faces[1]);
+	if (at.enter > ray->tmin)
+		return hit_take(out, ray, self, at.enter, near_face(&at, ray));
+	return hit_take(out, ray, self, at.leave, far_face(&at, ray));
 }
 
 static bool box_inside(const void *data, Vec3 p)
@@ -113,4 +135,6 @@ const ShapeClass box_class = {
 	.uv = box_uv,
 	.nearest = box_nearest,
 	.placed = box_placed,
+	.quick = true,
+	.unit_normal = true,
 };

@@ -68,4 +68,6 @@ const ShapeClass disc_class = {
 	.normal = disc_normal,
 	.nearest = disc_nearest,
 	.inside_unbounded = true,
+	.quick = true,
+	.unit_normal = true,
 };

@@ -105,4 +105,6 @@ const ShapeClass plane_class = {
 	.nearest = plane_nearest,
 	.cut = plane_cut,
 	.placed = plane_placed,
+	.quick = true,
+	.unit_normal = true,
 };

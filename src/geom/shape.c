@@ -12,13 +12,15 @@ static Box3 infinite_box(void)
 	return (Box3){vec3_all(-INFINITY), vec3_all(INFINITY)};
 }
 
-static Ray ray_into_shape(const Shape *shape, const Ray *ray)
+/* The ray in the shape's own space: itself, or *own filled in. */
+static const Ray *ray_into_shape(const Shape *shape, const Ray *ray, Ray *own)
 {
 	if (!shape->transform)
-		return *ray;
-	return (Ray){transform_point_inverse(shape->transform, ray->origin),
+		return ray;
+	*own = (Ray){transform_point_inverse(shape->transform, ray->origin),
 		     transform_vector_inverse(shape->transform, ray->direction), ray->tmin,
 		     ray->tmax};
+	return own;
 }
 
 static Vec3 point_into_shape(const Shape *shape, Vec3 world)
@@ -60,8 +62,8 @@ void shape_intersect(const Shape *shape, const Ray *ray, HitList *out)
 	if (shape->bound_count && is_missed(shape, ray))
 		return;
 	int first = out->count;
-	Ray own = ray_into_shape(shape, ray);
-	shape->class->intersect(shape, &own, out);
+	Ray own;
+	shape->class->intersect(shape, ray_into_shape(shape, ray, &own), out);
 	if (shape->clip_count == 0)
 		return;
 	int kept = first;
@@ -87,8 +89,8 @@ bool shape_nearest(const Shape *shape, const Ray *ray, Hit *out)
 	if (shape->class->nearest && shape->clip_count == 0) {
 		if (shape->bound_count && is_missed(shape, ray))
 			return false;
-		Ray own = ray_into_shape(shape, ray);
-		return shape->class->nearest(shape, &own, out);
+		Ray own;
+		return shape->class->nearest(shape, ray_into_shape(shape, ray, &own), out);
 	}
 	HitList list;
 	hit_list_init(&list);
@@ -177,7 +179,8 @@ static Vec3 normal_to_world(const Hit *hit, Vec3 normal)
 	const Shape *shape = hit->shape;
 	if (shape->transform)
 		normal = transform_normal(shape->transform, normal);
-	normal = vec3_normalize(normal);
+	if (shape->transform || !shape->class->unit_normal)
+		normal = vec3_normalize(normal);
 	return shape->inverted ? vec3_neg(normal) : normal;
 }
 
@@ -191,10 +194,11 @@ Vec3 hit_normal(const Hit *hit, Vec3 world)
 Vec3 hit_shading_normal(const Hit *hit, Vec3 world)
 {
 	const Shape *shape = hit->shape;
-	if (!shape->class->shading_normal)
-		return hit_normal(hit, world);
-	return normal_to_world(hit, shape->class->shading_normal(shape->data, hit,
-								 point_into_shape(shape, world)));
+	const ShapeClass *class = shape->class;
+	Vec3 own = point_into_shape(shape, world);
+	return normal_to_world(hit, class->shading_normal
+					    ? class->shading_normal(shape->data, hit, own)
+					    : class->normal(shape->data, hit, own));
 }
 
 bool hit_is_flat(const Hit *hit, Vec3 world)

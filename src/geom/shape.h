@@ -113,6 +113,11 @@ struct ShapeClass {
 	int (*textures)(const void *data, const Hit *hit, Vec3 p, ShapeTextures *out);
 	/* Made of flat faces. */
 	bool flat;
+	/* nearest() costs about what a test against the box does, nobody need ask the box first;
+	 * and it leaves *out alone when there is no crossing. */
+	bool quick;
+	/* normal() gives unit length. */
+	bool unit_normal;
 	/* inside() can hold outside of bounds(): a disc divides all space. */
 	bool inside_unbounded;
 	/* Optional, for shapes without bounds: a box around what of `box` (own space, sides may be

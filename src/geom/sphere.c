@@ -75,7 +75,8 @@ static bool sphere_inside(const void *data, Vec3 p)
 static Vec3 sphere_normal(const void *data, const Hit *hit, Vec3 p)
 {
 	(void)hit;
-	return vec3_sub(p, ((const Sphere *)data)->center);
+	const Sphere *sphere = data;
+	return vec3_unit_again(vec3_scale(vec3_sub(p, sphere->center), 1 / sphere->radius));
 }
 
 Vec2 sphere_uv_of(Vec3 direction)
@@ -102,4 +103,6 @@ const ShapeClass sphere_class = {
 	.uv = sphere_uv,
 	.nearest = sphere_nearest,
 	.placed = sphere_placed,
+	.quick = true,
+	.unit_normal = true,
 };

@@ -14,6 +14,7 @@
 #include <stdint.h>
 #include <stdio.h>
 #include <stdlib.h>
+#include <string.h>
 
 #include "base/arena.h"
 #include "base/parallel.h"
@@ -28,9 +29,11 @@ enum {
 };
 
 struct Accel {
-	const Shape **unbounded;
-	int unbounded_count;
-	const Shape **bounded; /* all but the meshes that Embree has as triangles */
+	const Shape **direct; /* asked without a look at their boxes: the unbounded ones, and
+				 without Embree those that are as quick as their boxes */
+	int direct_count;
+	int plain_count; /* the first of these, of which the class alone says all */
+	const Shape **bounded; /* the others but for the meshes that Embree has as triangles */
 	int bounded_count;
 	const Shape *
 		*meshes; /* geometry number i + 1 of the Embree scene, 0 are the bounded ones */
@@ -46,39 +49,48 @@ typedef struct Query {
 	struct RTCIntersectContext embree; /* first: Embree's callbacks get a pointer to it */
 	const Accel *accel;
 	Ray ray;        /* tmax shrinks to the nearest crossing found */
+	Vec3 inverse;   /* of its direction; set before boxes are asked */
 	double start;   /* parameter of the double ray where Embree's begins */
 	AccelFilter *filter;
 	void *data;
-	Hit best;
+	Hit *best;      /* filled in when found */
 	bool found;
 	bool any;       /* any crossing the filter says yes to ends the search */
 } Query;
 
 /* ---- one shape ---- */
 
-/* The parameter range in which the ray is inside the box, cut with its own; false when empty. */
-static bool box_range(const Box3 *box, const Ray *ray, double *t0, double *t1)
+static void query_set_inverse(Query *query)
 {
-	double enter = ray->tmin, leave = ray->tmax;
-	const double *o = &ray->origin.x, *d = &ray->direction.x, *lo = &box->lo.x,
-		     *hi = &box->hi.x;
-	for (int axis = 0; axis < 3; axis++) {
-		double inverse = 1 / d[axis];
-		double a = (lo[axis] - o[axis]) * inverse, b = (hi[axis] - o[axis]) * inverse;
-		double near = inverse < 0 ? b : a, far = inverse < 0 ? a : b;
-		/* Comparisons are false for NaN (a ray within a face's plane): that axis does not
-		 * cut. */
-		enter = near > enter ? near : enter;
-		leave = far < leave ? far : leave;
-	}
-	*t0 = enter;
-	*t1 = leave;
-	return enter <= leave;
+	Vec3 d = query->ray.direction;
+	query->inverse = vec3(1 / d.x, 1 / d.y, 1 / d.z);
+}
+
+/* What a pair of faces leaves of the range. Comparisons are false for NaN (a ray within a face's
+ * plane): that pair does not cut. */
+static inline void cut_range(double lo, double hi, double origin, double inverse, double range[2])
+{
+	double a = (lo - origin) * inverse, b = (hi - origin) * inverse;
+	double near = inverse < 0 ? b : a, far = inverse < 0 ? a : b;
+	range[0] = near > range[0] ? near : range[0];
+	range[1] = far < range[1] ? far : range[1];
+}
+
+/* The parameter range in which the ray is inside the box, cut with its own; false when empty. */
+static bool box_range(const Query *query, const Box3 *box, double range[2])
+{
+	Vec3 o = query->ray.origin;
+	range[0] = query->ray.tmin;
+	range[1] = query->ray.tmax;
+	cut_range(box->lo.x, box->hi.x, o.x, query->inverse.x, range);
+	cut_range(box->lo.y, box->hi.y, o.y, query->inverse.y, range);
+	cut_range(box->lo.z, box->hi.z, o.z, query->inverse.z, range);
+	return range[0] <= range[1];
 }
 
 static void query_take(Query *query, const Hit *hit)
 {
-	query->best = *hit;
+	*query->best = *hit;
 	query->ray.tmax = hit->t;
 	query->found = true;
 }
@@ -116,14 +128,40 @@ static bool query_shape(Query *query, const Shape *shape)
 	return true;
 }
 
-static bool query_list(Query *query, const Shape *const *shapes, int count, bool boxed)
+/* The nearest crossing of the plain shapes, when each counts. */
+static void query_plain(Query *query)
 {
-	double t0, t1;
-	for (int i = 0; i < count; i++)
-		if ((!boxed || box_range(&shapes[i]->box, &query->ray, &t0, &t1)) &&
-		    query_shape(query, shapes[i]) && query->any)
+	const Accel *accel = query->accel;
+	for (int i = 0; i < accel->plain_count; i++) {
+		const Shape *shape = accel->direct[i];
+		if (!shape->class->nearest(shape, &query->ray, query->best))
+			continue;
+		query->ray.tmax = query->best->t;
+		query->found = true;
+	}
+}
+
+/* Asks shapes one by one; true when any crossing is enough and one was found. */
+static bool query_direct(Query *query)
+{
+	const Accel *accel = query->accel;
+	if (!query->filter)
+		query_plain(query);
+	for (int i = query->filter ? 0 : accel->plain_count; i < accel->direct_count; i++)
+		if (query_shape(query, accel->direct[i]) && query->any)
 			return true;
-	return query->found;
+	return query->any && query->found;
+}
+
+static void query_bounded(Query *query)
+{
+	const Accel *accel = query->accel;
+	double range[2];
+	query_set_inverse(query);
+	for (int i = 0; i < accel->bounded_count; i++)
+		if (box_range(query, &accel->bounded[i]->box, range) &&
+		    query_shape(query, accel->bounded[i]) && query->any)
+			return;
 }
 
 /* ---- Embree's side ---- */
@@ -152,12 +190,12 @@ static void intersect_shape(const struct RTCIntersectFunctionNArguments *args)
 {
 	Query *query = (Query *)args->context;
 	const Shape *shape = query->accel->bounded[args->primID];
-	double t0, t1;
-	if (!args->valid[0] || !box_range(&shape->box, &query->ray, &t0, &t1) ||
+	double range[2];
+	if (!args->valid[0] || !box_range(query, &shape->box, range) ||
 	    !query_shape(query, shape))
 		return;
 	struct RTCRayHit *rayhit = (struct RTCRayHit *)args->rayhit;
-	rayhit->ray.tfar = query->any ? -INFINITY : embree_end(query, query->best.t);
+	rayhit->ray.tfar = query->any ? -INFINITY : embree_end(query, query->best->t);
 	rayhit->hit.geomID = 0;
 	rayhit->hit.primID = args->primID;
 }
@@ -166,8 +204,8 @@ static void occluded_shape(const struct RTCOccludedFunctionNArguments *args)
 {
 	Query *query = (Query *)args->context;
 	const Shape *shape = query->accel->bounded[args->primID];
-	double t0, t1;
-	if (!args->valid[0] || !box_range(&shape->box, &query->ray, &t0, &t1) ||
+	double range[2];
+	if (!args->valid[0] || !box_range(query, &shape->box, range) ||
 	    !query_shape(query, shape))
 		return;
 	((struct RTCRay *)args->ray)->tfar = -INFINITY;
@@ -222,12 +260,13 @@ static struct RTCRay embree_ray(Query *query, double enter, double leave)
 
 static void query_embree(Query *query)
 {
-	double enter, leave;
-	if (!box_range(&query->accel->box, &query->ray, &enter, &leave))
+	double range[2];
+	query_set_inverse(query);
+	if (!box_range(query, &query->accel->box, range))
 		return;
 	rtcInitIntersectContext(&query->embree);
 	query->embree.filter = filter_triangle;
-	struct RTCRayHit rayhit = {.ray = embree_ray(query, enter, leave)};
+	struct RTCRayHit rayhit = {.ray = embree_ray(query, range[0], range[1])};
 	rayhit.hit.geomID = RTC_INVALID_GEOMETRY_ID;
 	if (query->any)
 		rtcOccluded1(query->accel->scene, &query->embree, &rayhit.ray);
@@ -237,13 +276,12 @@ static void query_embree(Query *query)
 
 static bool query_run(Query *query)
 {
-	const Accel *accel = query->accel;
-	if (query_list(query, accel->unbounded, accel->unbounded_count, false) && query->any)
+	if (query_direct(query))
 		return true;
-	if (accel->scene)
+	if (query->accel->scene)
 		query_embree(query);
-	else
-		query_list(query, accel->bounded, accel->bounded_count, true);
+	else if (query->accel->bounded_count)
+		query_bounded(query);
 	return query->found;
 }
 
@@ -324,7 +362,7 @@ static long sort_shapes(Accel *accel, const Shape *const *shapes, int count)
 		if (box3_is_empty(shape->box))
 			continue;
 		if (!shape_is_bounded(shape)) {
-			accel->unbounded[accel->unbounded_count++] = shape;
+			accel->direct[accel->direct_count++] = shape;
 			continue;
 		}
 		accel->box = box3_union(accel->box, shape->box);
@@ -348,12 +386,41 @@ static void pad_box(Accel *accel)
 	accel->box.hi = vec3_add(accel->box.hi, vec3_all(accel->pad));
 }
 
+/* Without Embree. */
+static void take_quick_ones(Accel *accel)
+{
+	int kept = 0;
+	for (int i = 0; i < accel->bounded_count; i++) {
+		const Shape *shape = accel->bounded[i];
+		if (shape->class->quick && !shape->clip_count)
+			accel->direct[accel->direct_count++] = shape;
+		else
+			accel->bounded[kept++] = shape;
+	}
+	accel->bounded_count = kept;
+}
+
+/* To the front, in their order. */
+static void put_plain_ones_first(Accel *accel)
+{
+	for (int i = 0; i < accel->direct_count; i++) {
+		const Shape *shape = accel->direct[i];
+		if (!shape->class->quick || shape->transform || shape->clip_count ||
+		    shape->bound_count)
+			continue;
+		memmove(&accel->direct[accel->plain_count + 1],
+			&accel->direct[accel->plain_count],
+			sizeof *accel->direct * (size_t)(i - accel->plain_count));
+		accel->direct[accel->plain_count++] = shape;
+	}
+}
+
 Accel *accel_create(const Shape *const *shapes, int count)
 {
 	Accel *accel = memory_alloc(sizeof *accel);
 	size_t bytes = sizeof(Shape *) * (size_t)(count > 0 ? count : 1);
 	*accel = (Accel){
-		.unbounded = memory_alloc(bytes),
+		.direct = memory_alloc(bytes),
 		.bounded = memory_alloc(bytes),
 		.meshes = memory_alloc(bytes),
 		.box = box3_empty(),
@@ -363,6 +430,9 @@ Accel *accel_create(const Shape *const *shapes, int count)
 		pad_box(accel);
 	if (accel->mesh_count || accel->bounded_count > LOOP_SHAPES)
 		build_embree(accel, primitives);
+	else
+		take_quick_ones(accel);
+	put_plain_ones_first(accel);
 	return accel;
 }
 
@@ -374,7 +444,7 @@ void accel_destroy(Accel *accel)
 		rtcReleaseScene(accel->scene);
 	if (accel->device)
 		rtcReleaseDevice(accel->device);
-	free(accel->unbounded);
+	free(accel->direct);
 	free(accel->bounded);
 	free(accel->meshes);
 	free(accel);
@@ -384,16 +454,19 @@ void accel_destroy(Accel *accel)
 
 bool accel_nearest(const Accel *accel, const Ray *ray, AccelFilter *accept, void *data, Hit *out)
 {
-	Query query = {.accel = accel, .ray = *ray, .filter = accept, .data = data};
-	if (!query_run(&query))
-		return false;
-	*out = query.best;
-	return true;
+	Query query = {.accel = accel, .ray = *ray, .filter = accept, .data = data, .best = out};
+	return query_run(&query);
 }
 
 bool accel_any(const Accel *accel, const Ray *ray, AccelFilter *visit, void *data)
 {
-	Query query = {.accel = accel, .ray = *ray, .filter = visit, .data = data, .any = true};
+	Hit hit;
+	Query query = {.accel = accel,
+		       .ray = *ray,
+		       .filter = visit,
+		       .data = data,
+		       .best = &hit,
+		       .any = true};
 	return query_run(&query);
 }
 
@@ -425,7 +498,7 @@ static int collect_containing(const Shape *const *shapes, int count, Vec3 p, con
 
 int accel_containing(const Accel *accel, Vec3 p, const Shape **out, int max)
 {
-	int found = collect_containing(accel->unbounded, accel->unbounded_count, p, out, max);
+	int found = collect_containing(accel->direct, accel->direct_count, p, out, max);
 	if (!box3_contains(accel->box, p))
 		return found;
 	found += collect_containing(accel->bounded, accel->bounded_count, p, out + found,
