@@ -107,14 +107,15 @@ static Surface inherit_surface(Arena *arena, const Object *object, const State *
 	return surface;
 }
 
-static bool textures_are_opaque(const Surface *surface)
+/* Whether it holds for each texture that the surface may show. */
+static bool holds_for_all(const Surface *surface, bool (*holds)(const Texture *texture))
 {
-	if (!texture_is_opaque(surface->texture))
+	if (!holds(surface->texture))
 		return false;
-	if (surface->interior_texture && !texture_is_opaque(surface->interior_texture))
+	if (surface->interior_texture && !holds(surface->interior_texture))
 		return false;
 	for (int i = 0; i < surface->texture_count; i++)
-		if (surface->textures[i] && !texture_is_opaque(surface->textures[i]))
+		if (surface->textures[i] && !holds(surface->textures[i]))
 			return false;
 	return true;
 }
@@ -147,7 +148,8 @@ static const Surface *keep_surface(Flatten *flatten, State *state)
 	if (!state->made) {
 		Surface surface = state->surface;
 		apply_uv_mapping(flatten->arena, &surface);
-		surface.opaque = textures_are_opaque(&surface);
+		surface.opaque = holds_for_all(&surface, texture_is_opaque);
+		surface.ends_light = surface.opaque && holds_for_all(&surface, texture_is_dull);
 		state->made = arena_copy(flatten->arena, &surface, sizeof surface);
 	}
 	return state->made;

@@ -81,6 +81,7 @@ typedef struct Surface {
 	const Estimator *estimator;      /* NULL: the scene's */
 	bool relaxation;                 /* photons that land here may be relaxed */
 	bool opaque; /* no texture of it lets light through: shadow rays need not look closer */
+	bool ends_light; /* nor does any reflect, and all of them scatter: photons go no farther */
 	int id;                          /* of the top-level object, counting from 0 */
 } Surface;
 

@@ -70,10 +70,10 @@ void shade_textures(const ShadePoint *point, Shading *out)
 
 double shade_epsilon(Vec3 p)
 {
-	double scale = fmax(fabs(p.x), fmax(fabs(p.y), fabs(p.z)));
+	double scale = real_max(fabs(p.x), real_max(fabs(p.y), fabs(p.z)));
 	/* POV-Ray's 0.001 for scenes of usual size, finer for tiny ones, and never under what
 	 * doubles can tell apart. */
-	return fmax(fmin(1e-3, 1e-4 * scale), 1e-9 * scale);
+	return real_max(real_min(1e-3, 1e-4 * scale), 1e-9 * scale);
 }
 
 Rgb shade_attenuation(const Interior *interior, double distance)

@@ -33,7 +33,7 @@ bool bsdf_refract(Vec3 direction, Vec3 normal, double ior, Vec3 *out)
 	double inner2 = 1 - ior * ior * (1 - cosine * cosine);
 	if (inner2 < 0)
 		return false;
-	*out = vec3_normalize(
+	*out = vec3_unit_again(
 		vec3_mad(vec3_scale(direction, ior), ior * cosine - sqrt(inner2), normal));
 	return true;
 }
@@ -61,7 +61,7 @@ static Rgb layer_mirror(const BsdfLayer *layer, Vec3 from, double ior)
 	const Finish *finish = layer->finish;
 	if (rgb_is_black(finish->reflection.max) && rgb_is_black(finish->reflection.min))
 		return rgb_all(0);
-	double cosine = fmin(fmax(vec3_dot(from, layer->normal), 0), 1), share;
+	double cosine = real_min(real_max(vec3_dot(from, layer->normal), 0), 1), share;
 	if (finish->reflection.fresnel)
 		share = bsdf_fresnel(cosine, ior);
 	else
@@ -127,7 +127,8 @@ void bsdf_init(Bsdf *bsdf, const ShadingLayer *bottom_to_top, int count, const B
 	bsdf->through = rgb_all(1);
 	for (int i = count - 1; i >= 0 && bsdf->count < BSDF_MAX_LAYERS; i--) {
 		Rgb left = bsdf->through; /* negative shares count as well */
-		if (fmaxf(fabsf(left.r), fmaxf(fabsf(left.g), fabsf(left.b))) <= place->cutoff)
+		if (fabsf(left.r) <= place->cutoff && fabsf(left.g) <= place->cutoff &&
+		    fabsf(left.b) <= place->cutoff)
 			break;
 		init_layer(bsdf, &bottom_to_top[i], place);
 	}

@@ -139,9 +139,30 @@ static void rescale(Shading *out)
 		out->stacks[i].weight /= total;
 }
 
+/* Layers of one colour each without bumps are the same everywhere; false for others. */
+static bool shade_uniform(const Texture *texture, Vec3 normal, Shading *out)
+{
+	int count = 0;
+	for (; texture && count < SHADING_MAX_LAYERS; texture = texture->next) {
+		if (texture->kind != TEXTURE_PLAIN || texture->normal ||
+		    texture->pigment->kind != PIGMENT_COLOR)
+			return false;
+		ShadingLayer *layer = &out->layers[count++];
+		layer->color = texture->pigment->color;
+		layer->normal = normal;
+		layer->finish = texture->finish;
+	}
+	out->layer_count = count;
+	out->stack_count = 1;
+	out->stacks[0] = (ShadingStack){1, 0, count};
+	return true;
+}
+
 void texture_shade(const Texture *texture, const Transform *attach, const SurfacePoint *at,
 		   Shading *out)
 {
+	if (shade_uniform(texture, at->normal, out))
+		return;
 	Place place = {.at = *at, .normal = into(attach, at->normal), .frame = attach};
 	place.at.p = attach ? transform_point_inverse(attach, at->world) : at->world;
 	out->layer_count = out->stack_count = 0;
@@ -160,6 +181,25 @@ bool texture_is_opaque(const Texture *texture)
 	for (int i = 0; i < texture->texture_count; i++)
 		if (!texture_is_opaque(texture->textures[i].texture))
 			return false;
+	return true;
+}
+
+static bool finish_is_dull(const Finish *finish)
+{
+	return rgb_is_black(finish->reflection.min) && rgb_is_black(finish->reflection.max) &&
+	       (finish->diffuse != 0 || finish->diffuse_back != 0 || finish->phong > 0 ||
+		finish->specular > 0);
+}
+
+bool texture_is_dull(const Texture *texture)
+{
+	for (; texture; texture = texture->next) {
+		if (texture->kind == TEXTURE_PLAIN && !finish_is_dull(texture->finish))
+			return false;
+		for (int i = 0; i < texture->texture_count; i++)
+			if (!texture_is_dull(texture->textures[i].texture))
+				return false;
+	}
 	return true;
 }
 
