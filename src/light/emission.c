@@ -27,19 +27,23 @@ static double reach_of(const EmissionAim *aim)
 }
 
 /* The disc of the light's plane that the ball throws its shadow on; a cylinder light's own disc
- * when that is smaller. */
+ * when that is smaller. Paths start before the ball even where the light's plane cuts it. */
 static EmissionRegion disc_region(const Light *light, const EmissionAim *aim)
 {
 	EmissionRegion region = {
 		.plane = true, .axis = light_axis(light), .radius = aim->radius * reach_of(aim)};
 	Vec3 offset = vec3_sub(aim->center, light->position);
-	region.origin = vec3_mad(aim->center, -vec3_dot(offset, region.axis), region.axis);
+	double along = vec3_dot(offset, region.axis);
+	region.origin = vec3_mad(aim->center, -along, region.axis);
 	if (light->kind == LIGHT_CYLINDER && light->falloff < region.radius) {
 		region.own = true;
 		region.origin = light->position;
 		region.radius = light->falloff;
 	}
 	vec3_frame(region.axis, &region.u, &region.v);
+	Vec3 from = vec3_sub(region.origin, light->position);
+	region.middle = (Vec2){vec3_dot(from, region.u), vec3_dot(from, region.v)};
+	region.origin = vec3_mad(region.origin, real_min(along - aim->radius, 0), region.axis);
 	region.measure = M_PI * region.radius * region.radius;
 	return region;
 }
@@ -75,15 +79,33 @@ EmissionRegion emission_region(const Light *light, const EmissionAim *aim)
 
 /* ---- samples ---- */
 
+/* Cosine and sine of q pi/4, |q| <= 1: their Taylor series, to where a double's last bit ends. */
+static Vec2 octant_cosine_sine(double q)
+{
+	enum { TERMS = 9 };
+	static const double cosine[TERMS] = {1, -1.0 / 2, 1.0 / 24, -1.0 / 720, 1.0 / 40320,
+		-1.0 / 3628800, 1.0 / 479001600, -1.0 / 87178291200, 1.0 / 20922789888000};
+	static const double sine[TERMS] = {1, -1.0 / 6, 1.0 / 120, -1.0 / 5040, 1.0 / 362880,
+		-1.0 / 39916800, 1.0 / 6227020800, -1.0 / 1307674368000, 1.0 / 355687428096000};
+	double x = M_PI / 4 * q, y = x * x, c = 0, s = 0;
+#pragma GCC unroll 9
+	for (int i = TERMS - 1; i >= 0; i--) {
+		c = c * y + cosine[i];
+		s = s * y + sine[i];
+	}
+	return (Vec2){c, x * s};
+}
+
 /* The square to the unit disc, areas kept, neighbours kept (Shirley & Chiu 1997). */
 static Vec2 concentric_disc(double s, double t)
 {
 	double a = 2 * s - 1, b = 2 * t - 1;
-	if (a == 0 && b == 0)
+	bool wide = fabs(a) > fabs(b);
+	double r = wide ? a : b, across = wide ? b : a;
+	if (r == 0)
 		return (Vec2){0, 0};
-	double r = fabs(a) > fabs(b) ? a : b;
-	double phi = fabs(a) > fabs(b) ? M_PI / 4 * (b / a) : M_PI / 2 - M_PI / 4 * (a / b);
-	return (Vec2){r * cos(phi), r * sin(phi)};
+	Vec2 turn = octant_cosine_sine(across / r);
+	return wide ? (Vec2){r * turn.u, r * turn.v} : (Vec2){r * turn.v, r * turn.u};
 }
 
 bool emission_takes_point(const Light *light)
@@ -97,34 +119,26 @@ static Vec3 area_origin(const Light *light, const EmissionAim *aim, const double
 	return area_point(light, &frame, s[0] * (light->size1 - 1), s[1] * (light->size2 - 1));
 }
 
-/* Paths start before the ball even where the light's plane cuts it. */
-static Emission sample_disc(const Light *light, const EmissionAim *aim,
-			    const EmissionRegion *region, Vec2 disc)
+static Emission sample_disc(const EmissionRegion *region, Vec2 disc)
 {
-	Vec3 offset = vec3_add(vec3_scale(region->u, region->radius * disc.u),
-			       vec3_scale(region->v, region->radius * disc.v));
-	Vec3 on_plane = vec3_add(region->origin, offset),
-	     from = vec3_sub(on_plane, light->position);
-	double back = vec3_dot(vec3_sub(aim->center, light->position), region->axis) - aim->radius;
+	double u = region->radius * disc.u, v = region->radius * disc.v;
 	return (Emission){
-		.origin = vec3_mad(on_plane, fmin(back, 0), region->axis),
+		.origin = vec3_mad(vec3_mad(region->origin, u, region->u), v, region->v),
 		.direction = region->axis,
-		.coordinates = {(float)vec3_dot(from, region->u), (float)vec3_dot(from, region->v),
-				0},
+		.coordinates = {(float)(region->middle.u + u), (float)(region->middle.v + v), 0},
 		.measure = region->measure,
 	};
 }
 
 static Emission sample_cap(const EmissionRegion *region, Vec2 disc)
 {
-	/* the disc's squared radius is uniform, and so is the height of a cap */
-	double r2 = disc.u * disc.u + disc.v * disc.v, down = region->rise * r2, cosine = 1 - down;
-	double sine = sqrt(fmax(down * (2 - down), 0)), r = sqrt(r2);
-	Vec3 around = r > 0 ? vec3_add(vec3_scale(region->u, disc.u / r),
-				       vec3_scale(region->v, disc.v / r))
-			    : region->u;
-	Vec3 direction = vec3_normalize(
-		vec3_add(vec3_scale(region->axis, cosine), vec3_scale(around, sine)));
+	/* The disc's squared radius is uniform, and so is the height of a cap; the sine over the
+	 * disc's radius is what its point is stretched with. */
+	double down = region->rise * (disc.u * disc.u + disc.v * disc.v);
+	double stretch = sqrt(real_max(region->rise * (2 - down), 0));
+	Vec3 across = vec3_add(vec3_scale(region->u, disc.u), vec3_scale(region->v, disc.v));
+	Vec3 direction = vec3_unit_again(
+		vec3_mad(vec3_scale(region->axis, 1 - down), stretch, across));
 	return (Emission){
 		.origin = region->origin,
 		.direction = direction,
@@ -133,10 +147,9 @@ static Emission sample_cap(const EmissionRegion *region, Vec2 disc)
 	};
 }
 
-Emission emission_from_disc(const Light *light, const EmissionAim *aim,
-			    const EmissionRegion *region, Vec2 disc)
+Emission emission_from_disc(const EmissionRegion *region, Vec2 disc)
 {
-	return region->plane ? sample_disc(light, aim, region, disc) : sample_cap(region, disc);
+	return region->plane ? sample_disc(region, disc) : sample_cap(region, disc);
 }
 
 Emission emission_sample(const Light *light, const EmissionAim *aim, const EmissionRegion *region,
@@ -144,7 +157,7 @@ Emission emission_sample(const Light *light, const EmissionAim *aim, const Emiss
 {
 	Vec2 disc = concentric_disc(s[0], s[1]);
 	if (region->plane || !emission_takes_point(light))
-		return emission_from_disc(light, aim, region, disc);
+		return emission_from_disc(region, disc);
 	EmissionRegion seen = cap_region(light, area_origin(light, aim, s + 2), aim);
 	return sample_cap(&seen, disc);
 }

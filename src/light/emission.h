@@ -36,9 +36,10 @@ typedef struct EmissionAim {
 typedef struct EmissionRegion {
 	bool plane;
 	bool own;         /* the light's own disc or cone, narrower than what covers the ball */
-	Vec3 origin;      /* the disc's centre, or the cap's apex */
+	Vec3 origin;      /* the disc's centre, moved back to before the ball, or the cap's apex */
 	Vec3 axis, u, v;  /* axis: where the light goes, or the cap's middle */
 	double radius;    /* disc */
+	Vec2 middle;      /* of the disc: emitter coordinates */
 	double rise;      /* cap: 1 - cosine of the half angle, 0..2 */
 	double measure;   /* area, or solid angle */
 } EmissionRegion;
@@ -64,8 +65,7 @@ Emission emission_sample(const Light *light, const EmissionAim *aim, const Emiss
 
 /* The same for a point of the unit disc, from the light's own position; the cap's or disc's edge is
  * at radius 1. */
-Emission emission_from_disc(const Light *light, const EmissionAim *aim,
-			    const EmissionRegion *region, Vec2 disc);
+Emission emission_from_disc(const EmissionRegion *region, Vec2 disc);
 
 /* The flux of a path that stands for `share` of its region (1/number of paths), when it first lands
  * at p; *distance: from the light, or from a collimated light's plane. */

@@ -56,18 +56,38 @@ double light_fade(const Light *light, double distance)
 	return 2 / (1 + pow(distance / light->fade_distance, light->fade_power));
 }
 
+static Vec3 light_axis(const Light *light)
+{
+	return vec3_normalize(vec3_sub(light->point_at, light->position));
+}
+
+/* From everywhere along one axis. */
+static Rgb arrival_along_axis(const Light *light, Vec3 from, Vec3 p, Vec3 *direction,
+			      double *distance)
+{
+	Vec3 axis = light_axis(light);
+	*direction = vec3_neg(axis);
+	*distance = fabs(vec3_dot(vec3_sub(from, p), axis));
+	double share = light_fade(light, *distance);
+	if (light->kind == LIGHT_SPOT) {
+		Vec3 to_light = vec3_normalize(vec3_sub(from, p));
+		share *= spot_share(light, axis, to_light);
+	} else if (light->kind == LIGHT_CYLINDER) {
+		share *= cylinder_share(light, from, axis, p);
+	}
+	return rgb_scale(light->color, (float)share);
+}
+
 Rgb light_arrival(const Light *light, Vec3 from, Vec3 p, Vec3 *direction, double *distance)
 {
-	Vec3 axis = vec3_normalize(vec3_sub(light->point_at, light->position));
+	if (light->parallel || light->kind == LIGHT_CYLINDER)
+		return arrival_along_axis(light, from, p, direction, distance);
 	Vec3 offset = vec3_sub(from, p);
 	double length = vec3_length(offset);
-	bool parallel = light->parallel || light->kind == LIGHT_CYLINDER;
-	*direction = parallel ? vec3_neg(axis) : vec3_scale(offset, length > 0 ? 1 / length : 0);
-	*distance = parallel ? fabs(vec3_dot(offset, axis)) : length;
-	double share = light_fade(light, *distance);
+	*direction = vec3_scale(offset, length > 0 ? 1 / length : 0);
+	*distance = length;
+	double share = light_fade(light, length);
 	if (light->kind == LIGHT_SPOT)
-		share *= spot_share(light, axis, vec3_scale(offset, length > 0 ? 1 / length : 0));
-	else if (light->kind == LIGHT_CYLINDER)
-		share *= cylinder_share(light, from, axis, p);
+		share *= spot_share(light, light_axis(light), *direction);
 	return rgb_scale(light->color, (float)share);
 }

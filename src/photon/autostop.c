@@ -16,11 +16,10 @@ static bool is_target(void *data, const Ray *ray, const Hit *hit)
 
 static bool circle_meets(const Scene *scene, const PhotonAim *aim, double radius)
 {
-	const Light *light = &scene->lights[aim->light];
 	for (int i = 0; i < PROBES; i++) {
 		double turn = 2 * M_PI * i / PROBES;
 		Vec2 at = {radius * cos(turn), radius * sin(turn)};
-		Emission emission = emission_from_disc(light, &aim->ball, &aim->region, at);
+		Emission emission = emission_from_disc(&aim->region, at);
 		Ray ray = {emission.origin, emission.direction, 0, INFINITY};
 		Hit hit;
 		if (accel_nearest(scene->accel, &ray, is_target, (void *)aim, &hit))
