@@ -111,21 +111,23 @@ static PhotonAim make_aim(const Scene *scene, int light, const Target *target, u
 	return aim;
 }
 
+/* What a pair of faces leaves of the range; a ray in a face's plane makes a NaN, which leaves all. */
+static inline void cut_range(double lo, double hi, double origin, double direction, double range[2])
+{
+	double inverse = 1 / direction, a = (lo - origin) * inverse, b = (hi - origin) * inverse;
+	double near = inverse < 0 ? b : a, far = inverse < 0 ? a : b;
+	range[0] = near > range[0] ? near : range[0];
+	range[1] = far < range[1] ? far : range[1];
+}
+
 bool photon_aim_hits(const PhotonAim *aim, const Emission *emission)
 {
-	double near = 0, far = INFINITY;
-	for (int axis = 0; axis < 3; axis++) {
-		double o = vec3_axis(emission->origin, axis),
-		       inverse = 1 / vec3_axis(emission->direction, axis);
-		double a = (vec3_axis(aim->box.lo, axis) - o) * inverse,
-		       b = (vec3_axis(aim->box.hi, axis) - o) * inverse;
-		near = fmax(
-			near,
-			fmin(a,
-			     b)); /* fmax and fmin pass over the NaN of a ray in a face's plane */
-		far = fmin(far, fmax(a, b));
-	}
-	return near <= far * (1 + 1e-9) + 1e-12;
+	double range[2] = {0, INFINITY};
+	Vec3 o = emission->origin, d = emission->direction;
+	cut_range(aim->box.lo.x, aim->box.hi.x, o.x, d.x, range);
+	cut_range(aim->box.lo.y, aim->box.hi.y, o.y, d.y, range);
+	cut_range(aim->box.lo.z, aim->box.hi.z, o.z, d.z, range);
+	return range[0] <= range[1] * (1 + 1e-9) + 1e-12;
 }
 
 static const uint64_t HALTON_SKIP = 1; /* index 0 is a corner in every dimension */
@@ -149,27 +151,39 @@ static void jitter(const Scene *scene, const PhotonAim *aim, uint64_t number, do
 	}
 }
 
-Emission photon_emission(const Scene *scene, const PhotonAim *aim,
-			 const PhotonTraceOptions *options, uint64_t path)
+void photon_emissions(const Scene *scene, const PhotonAim *aim, const PhotonTraceOptions *options,
+		      uint64_t path, int count, Emission *out)
 {
-	double s[AIM_EMISSION_DIMENSIONS] = {0};
-	int dimensions = emission_takes_point(&scene->lights[aim->light]) ? 4 : 2;
+	double numbers[AIM_EMISSION_DIMENSIONS][PHOTON_EMISSIONS_MAX] = {0};
+	const Light *light = &scene->lights[aim->light];
+	uint64_t index = options->pass * aim->paths + path + HALTON_SKIP;
+	int dimensions = emission_takes_point(light) ? 4 : 2;
 	for (int k = 0; k < dimensions; k++)
-		s[k] = photon_halton(aim, options, path, k);
-	if (scene->settings.photons.jitter > 0)
-		jitter(scene, aim, options->pass * aim->paths + path, s);
-	return emission_sample(&scene->lights[aim->light], &aim->ball, &aim->region, s);
+		random_halton_run(index, k, count, numbers[k]);
+	bool jitters = scene->settings.photons.jitter > 0 && aim->paths > 0;
+	for (int i = 0; i < count; i++) {
+		double s[AIM_EMISSION_DIMENSIONS] = {0};
+		for (int k = 0; k < dimensions; k++) {
+			s[k] = numbers[k][i] + aim->shift[k];
+			s[k] -= s[k] >= 1;
+		}
+		if (jitters)
+			jitter(scene, aim, index - HALTON_SKIP + (uint64_t)i, s);
+		out[i] = emission_sample(light, &aim->ball, &aim->region, s);
+	}
 }
 
 /* The share of paths at the ball that meet the box. */
 static double box_share(const Scene *scene, const PhotonAim *aim)
 {
-	enum { TRIES = 512 };
+	enum { TRIES = 8 * PHOTON_EMISSIONS_MAX };
 	PhotonTraceOptions options = {0};
+	Emission emissions[PHOTON_EMISSIONS_MAX];
 	int met = 0;
-	for (uint64_t i = 0; i < TRIES; i++) {
-		Emission emission = photon_emission(scene, aim, &options, i);
-		met += photon_aim_hits(aim, &emission);
+	for (uint64_t first = 0; first < TRIES; first += PHOTON_EMISSIONS_MAX) {
+		photon_emissions(scene, aim, &options, first, PHOTON_EMISSIONS_MAX, emissions);
+		for (int i = 0; i < PHOTON_EMISSIONS_MAX; i++)
+			met += photon_aim_hits(aim, &emissions[i]);
 	}
 	return fmax(met, 1) / TRIES;
 }
@@ -202,6 +216,20 @@ static void share_out(const Scene *scene, PhotonAims *aims, const double *densit
 	}
 }
 
+static void find_passable(void *data, const Surface *surface)
+{
+	bool *passes = data;
+	*passes = *passes || surface->photons_pass_through;
+}
+
+static bool any_passes(const Scene *scene)
+{
+	bool passes = false;
+	for (int i = 0; i < scene->shape_count && !passes; i++)
+		shape_visit_surfaces(scene->shapes[i], find_passable, &passes);
+	return passes;
+}
+
 PhotonAims photon_aims(const Scene *scene, const PhotonTraceOptions *options, Arena *arena)
 {
 	Target *targets = ARENA_ARRAY(arena, Target, scene->shape_count + 1);
@@ -210,13 +238,15 @@ PhotonAims photon_aims(const Scene *scene, const PhotonTraceOptions *options, Ar
 		ARENA_ARRAY(arena, PhotonAim, (size_t)count * (size_t)scene->light_count + 1), 0,
 		0};
 	double *density = ARENA_ARRAY(arena, double, (size_t)count *(size_t)scene->light_count + 1);
+	bool passes = any_passes(scene);
 	for (int l = 0; l < scene->light_count; l++) {
 		for (int t = 0; t < count; t++) {
 			if (!shoots(&scene->lights[l], targets[t].surface))
 				continue;
 			double spacing = targets[t].spacing > 0 ? targets[t].spacing : 1;
 			density[aims.count] = scene->lights[l].photons_share / (spacing * spacing);
-			aims.aims[aims.count++] = make_aim(scene, l, &targets[t], options->seed);
+			aims.aims[aims.count] = make_aim(scene, l, &targets[t], options->seed);
+			aims.aims[aims.count++].passes = passes;
 		}
 	}
 	share_out(scene, &aims, density, options);

@@ -24,6 +24,7 @@ typedef struct PhotonAim {
 	uint64_t paths;    /* of this pass */
 	uint64_t first;    /* number of its first path among all of the pass */
 	InsideStack inside; /* what the light stands in */
+	bool passes;       /* some object lets photons pass on the way to their target */
 } PhotonAim;
 
 typedef struct PhotonAims {
@@ -38,9 +39,13 @@ PhotonAims photon_aims(const Scene *scene, const PhotonTraceOptions *options, Ar
 /* A coordinate of the Halton point of a path, shifted by the seed, in [0, 1). */
 double photon_halton(const PhotonAim *aim, const PhotonTraceOptions *options, uint64_t path,
 		     int dimension);
-/* The emission of one path of an aim: Halton points, shifted as a whole by the seed. */
-Emission photon_emission(const Scene *scene, const PhotonAim *aim,
-			 const PhotonTraceOptions *options, uint64_t path);
+
+enum { PHOTON_EMISSIONS_MAX = 64 };
+
+/* The emissions of an aim's paths from number `path` on, at most PHOTON_EMISSIONS_MAX of them: the
+ * first coordinates of their Halton points. */
+void photon_emissions(const Scene *scene, const PhotonAim *aim, const PhotonTraceOptions *options,
+		      uint64_t path, int count, Emission *out);
 /* Whether a ray meets the target's box. */
 bool photon_aim_hits(const PhotonAim *aim, const Emission *emission);
 /* Whether the light shines on the surface at all (light groups). */

@@ -29,12 +29,18 @@ enum {
 	HALTON_EVENTS = AIM_DIMENSIONS - DIMENSION_EVENT
 };
 
+/* What is the same for all paths of a run, and what each begins anew. */
 typedef struct Path {
 	const Scene *scene;
 	const Light *light;
 	const PhotonAim *aim;
+	const PhotonTraceOptions *options;
 	PhotonBuffer *out;
-	Emission emission;
+	double share;        /* of the aim's region that a path stands for */
+	float bailout;
+	int most_levels;
+
+	const Emission *emission;
 	Sampler sampler;
 	Ray ray;
 	Rgb flux;
@@ -43,7 +49,6 @@ typedef struct Path {
 	double length;       /* so far */
 	double first_length, first_distance; /* at the first hit: of the path, and from the light */
 	double hue;          /* 0.5 for white light */
-	const PhotonTraceOptions *options;
 	uint64_t number;
 	bool colored;
 	int edges; /* of the path so far; what POV-Ray counts as its levels */
@@ -76,33 +81,32 @@ static void push_photon(PhotonBuffer *out, const Photon *photon)
 }
 
 /* Flat faces throw sheets of light of their own; each is known by its normal. */
-static uint64_t face_of(const ShadePoint *point)
+static uint64_t face_of(const Hit *hit, Vec3 p)
 {
 	static const double steps = 65536; /* the faces' normals are told apart with */
-	if (!hit_is_flat(point->hit, point->at.world))
+	if (!hit_is_flat(hit, p))
 		return 0;
-	Vec3 n = hit_normal(point->hit, point->at.world);
+	Vec3 n = hit_normal(hit, p);
 	return random_bits((uint64_t)llrint(steps * n.x), (uint64_t)llrint(steps * n.y),
 			   (uint64_t)llrint(steps * n.z));
 }
 
-static void store(Path *path, const ShadePoint *point)
+static void store(Path *path, const Hit *hit, Vec3 p, Vec3 normal)
 {
-	Vec3 p = point->at.world, normal = point->at.normal;
+	const float *emitter = path->emission->coordinates;
+	const Surface *surface = hit->shape->owner;
+	double farther = path->first_distance + path->length - path->first_length;
+	double growth = emission_growth(path->light, path->first_distance, farther);
 	Photon photon = {
 		.position = {(float)p.x, (float)p.y, (float)p.z},
-		.emitter = {path->emission.coordinates[0], path->emission.coordinates[1],
-			    path->emission.coordinates[2]},
+		.emitter = {emitter[0], emitter[1], emitter[2]},
 		.length = (float)path->length,
 		.light = (uint16_t)path->aim->light,
-		.object = (uint16_t)point->surface->id,
+		.object = (uint16_t)surface->id,
 		.edges = (uint8_t)(path->edges < 255 ? path->edges : 255),
-		.path = (uint16_t)random_bits(path->kind, face_of(point), 0),
+		.path = (uint16_t)random_bits(path->kind, face_of(hit, p), 0),
 	};
-	double farther = path->first_distance + path->length - path->first_length;
-	photon_set_flux(&photon,
-			rgb_scale(path->flux, (float)emission_growth(
-						      path->light, path->first_distance, farther)));
+	photon_set_flux(&photon, rgb_scale(path->flux, (float)growth));
 	photon_set_direction(&photon, vec3_neg(path->ray.direction));
 	photon_set_normal(&photon, normal);
 	push_photon(path->out, &photon);
@@ -175,58 +179,46 @@ static void make_bsdf(Path *path, const ShadePoint *point, const Shading *shadin
 
 static bool allowed(const Path *path, const Surface *surface, const BsdfEvent *event)
 {
-	bool reflection = surface->photons_reflection && path->light->photons_reflection;
-	bool refraction = surface->photons_refraction && path->light->photons_refraction;
-	return event->kind == BSDF_REFLECT ? reflection : refraction;
+	return event->kind == BSDF_REFLECT
+		       ? surface->photons_reflection && path->light->photons_reflection
+		       : surface->photons_refraction && path->light->photons_refraction;
 }
 
 /* Picks one event by its weight and multiplies its weight so that the expectation is all of them;
- * false when none is left. */
-static bool choose_event(Path *path, const Surface *surface, const Bsdf *bsdf, BsdfEvent *chosen)
+ * NULL when none is left. */
+static BsdfEvent *choose_event(Path *path, const Surface *surface, const Bsdf *bsdf,
+			       BsdfEvent *events)
 {
-	BsdfEvent events[BSDF_MAX_EVENTS];
-	int count = bsdf_events(bsdf, TRANSPORT_FLUX, events), kept = 0;
-	float total = 0;
+	float shares[BSDF_MAX_EVENTS], total = 0;
+	int count = bsdf_events(bsdf, TRANSPORT_FLUX, events), last = -1, choices = 0;
 	for (int i = 0; i < count; i++) {
-		if (!allowed(path, surface, &events[i]))
-			continue;
-		events[kept] = events[i];
-		total += rgb_gray(rgb_mul(events[i].weight, path->flux));
-		kept++;
+		float share = allowed(path, surface, &events[i])
+				      ? rgb_gray(rgb_mul(events[i].weight, path->flux))
+				      : 0;
+		shares[i] = share > 0 ? share : 0;
+		total += shares[i];
+		choices += share > 0;
+		last = share > 0 ? i : last;
 	}
-	if (kept == 0 || !(total > 0))
-		return false;
-	float u = kept > 1 ? (float)event_number(path) * total : 0;
-	for (int i = 0; i < kept; i++) {
-		float share = rgb_gray(rgb_mul(events[i].weight, path->flux));
-		*chosen = events[i];
-		if (share > 0 && (u < share || i + 1 == kept)) {
-			chosen->weight = rgb_scale(chosen->weight, total / share);
-			return true;
-		}
-		u -= share;
-	}
-	return false;
+	if (choices < 2)
+		return choices ? &events[last] : NULL;
+	float u = (float)event_number(path) * total;
+	int at = 0;
+	while (at < last && u >= shares[at])
+		u -= shares[at++];
+	events[at].weight = rgb_scale(events[at].weight, total / shares[at]);
+	return &events[at];
 }
 
 static bool survives(Path *path)
 {
-	double bailout = path->scene->settings.photons.adc_bailout;
-	if (bailout < 0)
-		bailout = path->scene->settings.adc_bailout;
-	float left = rgb_gray(path->flux), limit = (float)bailout * path->start;
+	float left = rgb_gray(path->flux), limit = path->bailout * path->start;
 	if (left >= limit)
 		return left > 0;
 	if (sampler_next(&path->sampler) * limit >= left)
 		return false;
 	path->flux = rgb_scale(path->flux, limit / left);
 	return true;
-}
-
-static int most_levels(const Scene *scene)
-{
-	int own = scene->settings.photons.max_trace_level;
-	return own > 0 ? own : scene->settings.max_trace_level;
 }
 
 static void go_on(Path *path, const ShadePoint *point, const BsdfEvent *event)
@@ -237,31 +229,33 @@ static void go_on(Path *path, const ShadePoint *point, const BsdfEvent *event)
 	path->ray = (Ray){point->at.world, event->to, shade_epsilon(point->at.world), INFINITY};
 	int what = event->kind == BSDF_REFLECT ? 1 : event->total ? 2 : 3;
 	path->kind = (uint16_t)random_bits(path->kind * 4u + (unsigned)what,
-					   (uint64_t)point->surface->id, face_of(point));
+					   (uint64_t)point->surface->id, face_of(point->hit, point->at.world));
 }
 
 /* What passes is tinted all the same, as a shadow is, unless the object has none: POV-Ray does so,
  * where its manual says that photons are unaffected. Returns whether light is left. */
-static bool pass_by(Path *path, const ShadePoint *point)
+static bool pass_by(Path *path, const Hit *hit)
 {
+	ShadePoint point;
 	Shading shading;
 	Rgb through = {0, 0, 0};
-	shade_textures(point, &shading);
+	shade_point_init(&point, &path->ray, hit);
+	shade_textures(&point, &shading);
 	for (int i = 0; i < shading.stack_count; i++)
 		through = rgb_add(through, stack_transmittance(&shading, &shading.stacks[i]));
 	path->tint = rgb_mul(path->tint, through);
-	path->ray.origin = point->at.world;
-	path->ray.tmin = shade_epsilon(point->at.world);
+	path->ray.origin = point.at.world;
+	path->ray.tmin = shade_epsilon(point.at.world);
 	return !rgb_is_black(path->tint);
 }
 
 /* The first surface a path meets must be its target: others have paths of their own, or stand in
  * the way. */
-static bool lands_on_target(Path *path, const ShadePoint *point, double share)
+static bool lands_on_target(Path *path, const Surface *surface, Vec3 p)
 {
-	if (point->surface->id != path->aim->target)
+	if (surface->id != path->aim->target)
 		return false;
-	path->flux = emission_flux(path->light, &path->emission, point->at.world, share,
+	path->flux = emission_flux(path->light, path->emission, p, path->share,
 				   &path->first_distance);
 	path->flux = rgb_mul(path->flux, path->tint);
 	path->first_length = path->length;
@@ -270,38 +264,57 @@ static bool lands_on_target(Path *path, const ShadePoint *point, double share)
 	return path->start > 0;
 }
 
-/* Returns whether the path goes on. */
-static bool meet(Path *path, const Hit *hit, double share)
+static void attenuate(Path *path, const Interior *interior, double distance)
+{
+	if (!interior || interior->fade_power <= 0 || interior->fade_distance <= 0)
+		return;
+	float before = rgb_gray(path->flux);
+	path->flux = rgb_mul(path->flux, shade_attenuation(interior, distance));
+	path->out->statistics.absorbed_flux += before - rgb_gray(path->flux);
+}
+
+static bool collects(const Path *path, const Surface *surface)
+{
+	return path->edges > 1 && surface->photons_collect &&
+	       photon_light_reaches(path->light, surface);
+}
+
+/* At a surface that nothing leaves and that is nowhere a mere mirror: its textures need not be
+ * asked. */
+static void end_on(Path *path, const Hit *hit)
+{
+	PhotonStatistics *statistics = &path->out->statistics;
+	float left = rgb_gray(path->flux);
+	if (!collects(path, hit->shape->owner)) {
+		statistics->absorbed_flux += left;
+		return;
+	}
+	Vec3 p = ray_at(&path->ray, hit->t), normal = hit_shading_normal(hit, p);
+	bool back = vec3_dot(normal, path->ray.direction) > 0;
+	store(path, hit, p, back ? vec3_neg(normal) : normal);
+	statistics->stored_flux += left;
+}
+
+/* Leaves a photon if it may and goes on if the path does. */
+static bool scatter(Path *path, const Hit *hit)
 {
 	ShadePoint point;
 	Shading shading;
 	Bsdf bsdf;
-	BsdfEvent event;
+	BsdfEvent events[BSDF_MAX_EVENTS], *chosen = NULL;
 	PhotonStatistics *statistics = &path->out->statistics;
 	shade_point_init(&point, &path->ray, hit);
-	path->length += hit->t;
-	if (passes_by(path, point.surface))
-		return pass_by(path, &point);
-	if (path->edges == 0 && !lands_on_target(path, &point, share))
-		return false;
-	path->edges++;
-	float before = rgb_gray(path->flux);
-	if (inside_has(&path->inside, point.surface))
-		path->flux = rgb_mul(path->flux,
-				     shade_attenuation(point.surface->interior, hit->t));
-	statistics->absorbed_flux += before - rgb_gray(path->flux);
 	shade_textures(&point, &shading);
 	settle_hue(path, point.surface);
 	make_bsdf(path, &point, &shading, &bsdf);
-	before = rgb_gray(path->flux);
-	bool stored = path->edges > 1 && point.surface->photons_collect && !bsdf_is_delta(&bsdf) &&
-	              photon_light_reaches(path->light, point.surface);
+	float before = rgb_gray(path->flux);
+	bool stored = collects(path, point.surface) && !bsdf_is_delta(&bsdf), on = false;
 	if (stored)
-		store(path, &point);
-	bool on = path->edges < most_levels(path->scene) &&
-		  choose_event(path, point.surface, &bsdf, &event);
-	if (on) {
-		go_on(path, &point, &event);
+		store(path, hit, point.at.world, point.at.normal);
+	if (path->edges < path->most_levels)
+		chosen = choose_event(path, point.surface, &bsdf, events);
+	if (chosen) {
+		go_on(path, &point, chosen);
 		on = survives(path);
 	}
 	double taken = before - (on ? rgb_gray(path->flux) : 0);
@@ -309,41 +322,103 @@ static bool meet(Path *path, const Hit *hit, double share)
 	return on;
 }
 
-void photon_path(const Scene *scene, const PhotonAim *aim, const PhotonTraceOptions *options,
-		 uint64_t number, PhotonBuffer *out)
+/* Returns whether the path goes on. */
+static bool meet(Path *path, const Hit *hit)
 {
-	Path path = {
-		.scene = scene,
-		.light = &scene->lights[aim->light],
-		.aim = aim,
-		.out = out,
-		.hue = 0.5,
-		.tint = {1, 1, 1},
-		.options = options,
-		.number = number,
-		.sampler = {random_bits(options->seed, options->pass, 1), aim->first + number, 0},
-	};
-	path.emission = photon_emission(scene, aim, options, number);
-	out->statistics.paths++;
-	if (!photon_aim_hits(aim, &path.emission))
-		return;
-	path.ray = (Ray){path.emission.origin, path.emission.direction, 0, INFINITY};
-	inside_copy(&path.inside, &aim->inside);
+	const Surface *surface = hit->shape->owner;
+	path->length += hit->t;
+	if (passes_by(path, surface))
+		return pass_by(path, hit);
+	if (path->edges == 0 && !lands_on_target(path, surface, ray_at(&path->ray, hit->t)))
+		return false;
+	path->edges++;
+	if (inside_has(&path->inside, surface))
+		attenuate(path, surface->interior, hit->t);
+	if (surface->ends_light) {
+		end_on(path, hit);
+		return false;
+	}
+	return scatter(path, hit);
+}
+
+/* ---- runs of paths ---- */
+
+static void follow(Path *path)
+{
+	PhotonStatistics *statistics = &path->out->statistics;
 	for (int i = 0; i < PATH_MAX_CROSSINGS; i++) {
 		Hit hit;
-		out->statistics.segments++;
-		if (!accel_nearest(scene->accel, &path.ray, accept_on_the_way, &path, &hit)) {
-			if (path.edges > 0) {
-				out->statistics.escaped++;
-				out->statistics.escaped_flux += rgb_gray(path.flux);
+		statistics->segments++;
+		AccelFilter *filter = path->edges == 0 && path->aim->passes ? accept_on_the_way
+									 : NULL;
+		if (!accel_nearest(path->scene->accel, &path->ray, filter, path, &hit)) {
+			if (path->edges > 0) {
+				statistics->escaped++;
+				statistics->escaped_flux += rgb_gray(path->flux);
 			}
 			return;
 		}
-		if (!meet(&path, &hit, 1.0 / (double)aim->paths)) {
-			out->statistics.absorbed++;
+		if (!meet(path, &hit)) {
+			statistics->absorbed++;
 			return;
 		}
 	}
-	out->statistics.absorbed++;
-	out->statistics.absorbed_flux += rgb_gray(path.flux);
+	statistics->absorbed++;
+	statistics->absorbed_flux += rgb_gray(path->flux);
+}
+
+static void begin(Path *path, const Emission *emission, uint64_t number)
+{
+	path->emission = emission;
+	path->number = number;
+	path->sampler.index = path->aim->first + number;
+	path->sampler.dimension = 0;
+	path->ray = (Ray){emission->origin, emission->direction, 0, INFINITY};
+	path->length = 0;
+	path->hue = 0.5;
+	path->colored = false;
+	path->edges = 0;
+	path->tint = rgb_all(1);
+	path->kind = 0;
+	inside_copy(&path->inside, &path->aim->inside);
+}
+
+static float bailout_of(const Settings *settings)
+{
+	return (float)(settings->photons.adc_bailout < 0 ? settings->adc_bailout
+							 : settings->photons.adc_bailout);
+}
+
+static int most_levels(const Settings *settings)
+{
+	int own = settings->photons.max_trace_level;
+	return own > 0 ? own : settings->max_trace_level;
+}
+
+void photon_paths(const Scene *scene, const PhotonAim *aim, const PhotonTraceOptions *options,
+		  uint64_t first, uint64_t count, PhotonBuffer *out)
+{
+	Path path;
+	path.scene = scene;
+	path.light = &scene->lights[aim->light];
+	path.aim = aim;
+	path.options = options;
+	path.out = out;
+	path.share = 1.0 / (double)aim->paths;
+	path.bailout = bailout_of(&scene->settings);
+	path.most_levels = most_levels(&scene->settings);
+	path.sampler.seed = random_bits(options->seed, options->pass, 1);
+	out->statistics.paths += count;
+	for (uint64_t done = 0; done < count; done += PHOTON_EMISSIONS_MAX) {
+		Emission emissions[PHOTON_EMISSIONS_MAX];
+		uint64_t left = count - done;
+		int some = left < PHOTON_EMISSIONS_MAX ? (int)left : PHOTON_EMISSIONS_MAX;
+		photon_emissions(scene, aim, options, first + done, some, emissions);
+		for (int i = 0; i < some; i++) {
+			if (!photon_aim_hits(aim, &emissions[i]))
+				continue;
+			begin(&path, &emissions[i], first + done + (uint64_t)i);
+			follow(&path);
+		}
+	}
 }

@@ -1,4 +1,4 @@
-/* One photon path, from the light to where it is absorbed or lost. */
+/* Photon paths, from the light to where they are absorbed or lost. */
 #ifndef PHOTON_PATH_H
 #define PHOTON_PATH_H
 
@@ -11,8 +11,8 @@ typedef struct PhotonBuffer {
 	PhotonStatistics statistics;
 } PhotonBuffer;
 
-/* number: of the path among all of the aim's. */
-void photon_path(const Scene *scene, const PhotonAim *aim, const PhotonTraceOptions *options,
-		 uint64_t number, PhotonBuffer *out);
+/* Paths of an aim, from number `first` on. */
+void photon_paths(const Scene *scene, const PhotonAim *aim, const PhotonTraceOptions *options,
+		  uint64_t first, uint64_t count, PhotonBuffer *out);
 
 #endif

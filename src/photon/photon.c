@@ -5,9 +5,18 @@
 /* ---- flux: 16-bit mantissas under one exponent, chosen by the largest channel; relative error of
  * that channel 2^-17 ---- */
 
-static uint16_t to_mantissa(float value, int exponent)
+static double power_of_two(int exponent)
 {
-	double scaled = ldexp(value, 16 - exponent) + 0.5;
+	union {
+		uint64_t bits;
+		double value;
+	} power = {.bits = (uint64_t)(1023 + exponent) << 52};
+	return power.value;
+}
+
+static uint16_t to_mantissa(float value, double unit)
+{
+	double scaled = value * unit + 0.5;
 	return scaled >= 65535 ? 65535 : scaled > 0 ? (uint16_t)scaled : 0;
 }
 
@@ -16,15 +25,16 @@ void photon_set_flux(Photon *photon, Rgb flux)
 	int exponent = 0;
 	float most = rgb_max(flux);
 	if (most > 0 && isfinite(most))
-		frexp(most, &exponent);
+		frexpf(most, &exponent);
 	/* A value just under a power of two must not round up to 65536. */
-	if (ldexp(most, 16 - exponent) + 0.5 >= 65536)
+	if (most * power_of_two(16 - exponent) + 0.5 >= 65536)
 		exponent++;
 	exponent = exponent < INT8_MIN ? INT8_MIN : exponent > INT8_MAX ? INT8_MAX : exponent;
+	double unit = power_of_two(16 - exponent);
 	photon->exponent = (int8_t)exponent;
-	photon->mantissa[0] = to_mantissa(flux.r, exponent);
-	photon->mantissa[1] = to_mantissa(flux.g, exponent);
-	photon->mantissa[2] = to_mantissa(flux.b, exponent);
+	photon->mantissa[0] = to_mantissa(flux.r, unit);
+	photon->mantissa[1] = to_mantissa(flux.g, unit);
+	photon->mantissa[2] = to_mantissa(flux.b, unit);
 }
 
 Rgb photon_flux(const Photon *photon)
@@ -56,7 +66,7 @@ static Vec3 from_octahedron(double u, double v)
 }
 
 /* steps is even, so that the axes come out exactly. */
-static unsigned quantize(double u, int steps) { return (unsigned)lrint((u + 1) * 0.5 * steps); }
+static unsigned quantize(double u, int steps) { return (unsigned)((u + 1) * 0.5 * steps + 0.5); }
 static double dequantize(unsigned q, int steps) { return 2.0 * q / steps - 1; }
 
 enum { FINE = 65534, COARSE = 254 };

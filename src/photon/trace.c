@@ -7,21 +7,21 @@
 #include "base/parallel.h"
 #include "photon/path.h"
 
-/* Paths are traced in chunks; each chunk has a buffer of its own, and buffers are joined in order.
- */
-enum { CHUNK = 2048 };
+/* Paths are traced in chunks, and some chunks at a time: each of these has a buffer of its own, and
+ * buffers are joined in order and used again, so that they stay in the caches. */
+enum { CHUNK = 2048, ROUND = 64 };
 
 typedef struct Chunk {
 	const PhotonAim *aim;
 	uint64_t first, count;
-	PhotonBuffer buffer;
 } Chunk;
 
 typedef struct Job {
 	const Scene *scene;
 	const PhotonTraceOptions *options;
 	Chunk *chunks;
-	long count;
+	long count, done;
+	PhotonBuffer buffers[ROUND];
 } Job;
 
 static bool stopped(const PhotonTraceOptions *options)
@@ -33,11 +33,13 @@ static void trace_chunk(void *data, long item, int thread)
 {
 	(void)thread;
 	Job *job = data;
-	Chunk *chunk = &job->chunks[item];
-	if (stopped(job->options))
-		return;
-	for (uint64_t i = 0; i < chunk->count; i++)
-		photon_path(job->scene, chunk->aim, job->options, chunk->first + i, &chunk->buffer);
+	const Chunk *chunk = &job->chunks[job->done + item];
+	PhotonBuffer *buffer = &job->buffers[item];
+	buffer->count = 0;
+	buffer->statistics = (PhotonStatistics){0};
+	if (!stopped(job->options))
+		photon_paths(job->scene, chunk->aim, job->options, chunk->first, chunk->count,
+			     buffer);
 }
 
 static void cut_chunks(Job *job, const PhotonAims *aims, Arena *arena)
@@ -68,21 +70,37 @@ void photon_statistics_add(PhotonStatistics *sum, const PhotonStatistics *part)
 	sum->cpu_seconds += part->cpu_seconds;
 }
 
-static PhotonMap *join_chunks(const Job *job, PhotonStatistics *statistics)
+/* Room for one photon a path, but no more than this at first: memory not written costs nothing, and
+ * large pages stay whole that need not be moved. */
+static const uint64_t ROOM_AT_FIRST = 1 << 22;
+
+static void append_photons(PhotonMap *map, const PhotonBuffer *buffer, size_t *capacity)
+{
+	if (!buffer->count)
+		return;
+	while (map->count + (size_t)buffer->count > *capacity) {
+		*capacity *= 2;
+		map->photons = memory_resize(map->photons, sizeof(Photon) * *capacity);
+	}
+	memcpy(map->photons + map->count, buffer->photons, sizeof(Photon) * buffer->count);
+	map->count += buffer->count;
+}
+
+static PhotonMap *trace_rounds(Job *job, uint64_t paths, PhotonStatistics *statistics)
 {
 	PhotonMap *map = photon_map_create();
-	uint64_t total = 0;
-	for (long i = 0; i < job->count; i++)
-		total += job->chunks[i].buffer.count;
-	map->photons = memory_alloc(sizeof(Photon) * total);
-	for (long i = 0; i < job->count; i++) {
-		const PhotonBuffer *buffer = &job->chunks[i].buffer;
-		if (buffer->count)
-			memcpy(map->photons + map->count, buffer->photons,
-			       sizeof(Photon) * buffer->count);
-		map->count += buffer->count;
-		photon_statistics_add(statistics, &buffer->statistics);
+	size_t capacity = (size_t)(paths < ROOM_AT_FIRST ? paths + 1 : ROOM_AT_FIRST);
+	map->photons = memory_alloc(sizeof(Photon) * capacity);
+	while (job->done < job->count && !stopped(job->options)) {
+		long left = job->count - job->done, some = left < ROUND ? left : ROUND;
+		parallel_for(some, 1, trace_chunk, job);
+		for (long i = 0; i < some; i++) {
+			append_photons(map, &job->buffers[i], &capacity);
+			photon_statistics_add(statistics, &job->buffers[i].statistics);
+		}
+		job->done += some;
 	}
+	map->photons = memory_resize(map->photons, sizeof(Photon) * map->count);
 	return map;
 }
 
@@ -115,16 +133,18 @@ PhotonMap *photon_trace(const Scene *scene, const PhotonTraceOptions *options,
 	double wall = clock_wall(), cpu = clock_cpu();
 	Arena *arena = arena_create();
 	PhotonAims aims = photon_aims(scene, options, arena);
-	Job job = {scene, options, NULL, 0};
+	Job job = {.scene = scene, .options = options};
 	cut_chunks(&job, &aims, arena);
-	parallel_for(job.count, 1, trace_chunk, &job);
-	PhotonMap *map = stopped(options) ? NULL : join_chunks(&job, &own);
-	if (map)
-		note_lights(map, scene, &aims);
-	if (map && !scene->settings.photons.emitter_coordinates)
+	PhotonMap *map = trace_rounds(&job, aims.paths, &own);
+	note_lights(map, scene, &aims);
+	if (!scene->settings.photons.emitter_coordinates)
 		forget_emitters(map);
-	for (long i = 0; i < job.count; i++)
-		free(job.chunks[i].buffer.photons);
+	for (int i = 0; i < ROUND; i++)
+		free(job.buffers[i].photons);
+	if (stopped(options)) {
+		photon_map_destroy(map);
+		map = NULL;
+	}
 	arena_destroy(arena);
 	own.seconds = clock_wall() - wall;
 	own.cpu_seconds = clock_cpu() - cpu;
