@@ -66,17 +66,21 @@ check-brightness: cognac$(EXEEXT)
 	python3 $(srcdir)/tests/photon-brightness.py --cognac $(abs_builddir)/cognac$(EXEEXT)
 .PHONY: check-brightness
 
-# Reference pictures of the scenes' caustics, seen close, for hours: `make references`, stop it and call it again at will, with
-# REFERENCES_FLAGS='--photons 30e6 prism' for fewer photons or some of the scenes. And how far the estimators are from them:
-# `make bench-caustics`, with CAUSTICS_FLAGS='--scene prism --counts 60k --sheet' and more that --help tells. numpy is needed.
+# Reference pictures of the scenes' caustics, seen close, for hours: `make references`, stop it and
+# call it again at will, with REFERENCES_FLAGS='--photons 30e6 prism' for fewer photons or some of
+# the scenes. And how far the estimators are from them: `make bench-caustics`, with
+# CAUSTICS_FLAGS='--scene prism --counts 60k --sheet' and more that --help tells. Needs numpy.
 WITH_NUMPY = /usr/bin/python3
 CAUSTICS_FILES = references.py caustics.py caustic_scenes.py caustic_sheet.py exr.py
 EXTRA_DIST += $(CAUSTICS_FILES:%=tests/bench/%)
-CAUSTICS_WORDS = --cognac ./cognac --compare ./cognac-compare --scenes $(srcdir)/scenes --library pictures
+CAUSTICS_WORDS = --cognac ./cognac --compare ./cognac-compare --scenes $(srcdir)/scenes \
+	--library pictures
 references: cognac$(EXEEXT) cognac-compare$(EXEEXT) pictures/dragon.inc
-	$(WITH_NUMPY) $(srcdir)/tests/bench/references.py $(CAUSTICS_WORDS) --folder references $(REFERENCES_FLAGS)
-bench-caustics: cognac$(EXEEXT) cognac-compare$(EXEEXT)
-	$(WITH_NUMPY) $(srcdir)/tests/bench/caustics.py $(CAUSTICS_WORDS) --references references $(CAUSTICS_FLAGS)
+	$(WITH_NUMPY) $(srcdir)/tests/bench/references.py $(CAUSTICS_WORDS) \
+		--folder references $(REFERENCES_FLAGS)
+bench-caustics: cognac$(EXEEXT) cognac-compare$(EXEEXT) pictures/dragon.inc
+	$(WITH_NUMPY) $(srcdir)/tests/bench/caustics.py $(CAUSTICS_WORDS) \
+		--references references $(CAUSTICS_FLAGS)
 .PHONY: references bench-caustics
 
 # Footprints beside k nearest photons, on a map from emitter to floor that is known.
