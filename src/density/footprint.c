@@ -6,6 +6,9 @@
  * differentials (Schjøth et al. 2007) without tracing any. Density is the sum of flux times the
  * ellipses' normalised kernels over those that cover the gather point.
  *
+ * Where glass has parted the light, one photon has several: one for each band of hues
+ * (footprint_hue.h).
+ *
  * In a progressive pass all shares shrink in proportion to the pass' radius, so the mean over
  * passes converges as Knaus & Zwicker's does: a kernel keeps its integral and its place whatever
  * its shape.
@@ -53,13 +56,13 @@ static void *footprint_create(const EstimatorSetup *setup, Diag *diag)
 {
 	(void)diag;
 	const PhotonMap *map = setup->map;
-	Footprint *footprints = footprint_shapes(setup);
-	Box3 *boxes = memory_alloc(sizeof *boxes * (map->count + 1));
-	for (uint32_t i = 0; i < map->count; i++)
-		boxes[i] = footprint_box(&footprints[i], photon_normal(&map->photons[i]));
-	FootprintMap *f = arrange(footprints, boxes, map->count);
+	FootprintList list = footprint_shapes(setup);
+	Box3 *boxes = memory_alloc(sizeof *boxes * (list.count + 1));
+	for (uint32_t i = 0; i < list.count; i++)
+		boxes[i] = footprint_box(&list.all[i], photon_normal(&map->photons[list.all[i].photon]));
+	FootprintMap *f = arrange(list.all, boxes, list.count);
 	free(boxes);
-	free(footprints);
+	free(list.all);
 	return f;
 }
 
@@ -82,7 +85,7 @@ static void add_footprint(Gathering *g, uint32_t number)
 	double radius, value = footprint_value(f, x, g->pixel2, &radius);
 	if (!(value > 0) || !gather_accepts(task->point, photon, radius))
 		return;
-	gather_add(&g->sum, photon, value);
+	gather_add_flux(&g->sum, photon, f->flux, value);
 	g->radius += radius;
 }
 

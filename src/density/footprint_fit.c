@@ -10,19 +10,23 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { TERMS = 5, LEAST_SAMPLES = 6, ROUNDS = 3 };
+/* Without hues the last two terms are 0, and so is what the ridge makes of them. */
+enum { TERMS = 7, HUE = 5, LEAST_SAMPLES = 6, ROUNDS = 3 };
 
 typedef struct Equations {
 	double matrix[TERMS][TERMS], right[2][TERMS];
 } Equations;
 
-static void terms_of(const double d[2], double terms[TERMS])
+static void terms_of(const FitSample *sample, double terms[TERMS])
 {
+	const double *d = sample->d, hue = sample->hue;
 	terms[0] = d[0];
 	terms[1] = d[1];
 	terms[2] = 0.5 * d[0] * d[0];
 	terms[3] = d[0] * d[1];
 	terms[4] = 0.5 * d[1] * d[1];
+	terms[HUE] = hue;
+	terms[HUE + 1] = 0.5 * hue * hue;
 }
 
 /* Curvature is drawn to zero a little, so that six samples don't make it wild. */
@@ -34,7 +38,7 @@ static void make_equations(const FitSample *samples, const double *weights, int 
 	double total = 0;
 	for (int s = 0; s < count; s++) {
 		double terms[TERMS];
-		terms_of(samples[s].d, terms);
+		terms_of(&samples[s], terms);
 		total += weights[s];
 		for (int i = 0; i < TERMS; i++) {
 			for (int j = 0; j < TERMS; j++)
@@ -108,7 +112,7 @@ static void set_residuals(const FitSample *samples, int count, double solution[2
 {
 	for (int s = 0; s < count; s++) {
 		double terms[TERMS];
-		terms_of(samples[s].d, terms);
+		terms_of(&samples[s], terms);
 		for (int k = 0; k < 2; k++) {
 			residuals[s][k] = samples[s].x[k];
 			for (int i = 0; i < TERMS; i++)
@@ -155,6 +159,8 @@ bool footprint_fit(const FitSample *samples, int count, FootprintFit *fit)
 	for (int k = 0; k < 2; k++) {
 		fit->jacobian[k][0] = e.right[k][0];
 		fit->jacobian[k][1] = e.right[k][1];
+		fit->hue[k] = e.right[k][HUE];
+		fit->hue_curve[k] = e.right[k][HUE + 1];
 		fit->hessian[k] = (Symmetric){e.right[k][2], e.right[k][3], e.right[k][4]};
 	}
 	finish(samples, weights, count, residuals, fit);

@@ -4,6 +4,8 @@
  *
  *   x(d) = J d + d H d / 2,     two coordinates each of d (parameters) and x (the surface's plane),
  *
+ * and to second order of hue where that differs,
+ *
  * by weighted least squares through the photon itself, which is the origin of both.
  */
 #ifndef DENSITY_FOOTPRINT_FIT_H
@@ -17,11 +19,13 @@ typedef struct Symmetric { double uu, uv, vv; } Symmetric;
 typedef struct FitSample {
 	double d[2]; /* in the parameters, relative to the photon, up to about 1 */
 	double x[2]; /* on the surface, relative to the photon */
+	double hue;  /* relative to the photon */
 } FitSample;
 
 typedef struct FootprintFit {
 	double jacobian[2][2]; /* of coordinate i by parameter j */
 	Symmetric hessian[2];  /* of coordinate i */
+	double hue[2], hue_curve[2]; /* first and second derivative by hue */
 	Symmetric residual;    /* mean square of what the fit leaves */
 	double misfit;         /* mean square residual with every sample counting alike */
 	double roughness;      /* residual's share of the samples' mean square, 0..1 */

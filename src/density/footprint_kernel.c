@@ -42,12 +42,13 @@ double footprint_value(const Footprint *f, const float x[3], double pixel2, doub
 {
 	double a = f->a[0] * x[0] + f->a[1] * x[1] + f->a[2] * x[2];
 	double b = f->b[0] * x[0] + f->b[1] * x[1] + f->b[2] * x[2];
-	double least = sqrt(f->least * f->least + pixel2), most = sqrt(f->most * f->most + pixel2);
+	double least2 = f->least * f->least + pixel2, most2 = f->most * f->most + pixel2;
+	if (!(a * a * f->least * f->least / least2 + b * b * f->most * f->most / most2 < 1))
+		return 0;
+	double least = sqrt(least2), most = sqrt(most2);
 	double stretch_a = f->least / least, stretch_b = f->most / most;
 	a *= stretch_a;
 	b *= stretch_b;
-	if (!(a * a + b * b < 1))
-		return 0;
 	*radius = most;
 	if (f->cuts == 0)
 		return round_value(a, b) / (least * most);

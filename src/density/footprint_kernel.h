@@ -7,6 +7,7 @@
 
 #include <stdint.h>
 
+#include "base/color.h"
 #include "base/vec.h"
 #include "density/footprint_border.h"
 
@@ -38,6 +39,7 @@ typedef struct Footprint {
 	int32_t cuts;
 	FootprintCut cut[MOST_BORDERS];
 	uint32_t photon;
+	Rgb flux;          /* that it spreads */
 } Footprint;
 
 /* least_variance keeps axes from vanishing. */

@@ -19,6 +19,7 @@
 
 #include "base/arena.h"
 #include "base/parallel.h"
+#include "density/footprint_hue.h"
 #include "density/gather.h"
 
 /* ---- groups ---- */
@@ -34,23 +35,6 @@ static int compare_keys(const void *a, const void *b)
 	return (x->photon > y->photon) - (x->photon < y->photon);
 }
 
-/*
- * Colours that glass has spread come by ways of their own: white light of neighbours in emitter
- * space takes hues at random. So strongly coloured photons are told apart by hue, the rest is one kind.
- */
-static unsigned kind_of_hue(Rgb flux)
-{
-	enum { HUES = 16 };
-	static const float least_saturation = 0.3f;
-	float most = rgb_max(flux), least = fminf(flux.r, fminf(flux.g, flux.b)), range = most - least;
-	if (!(range > least_saturation * most))
-		return 0;
-	float sixth = most == flux.r   ? (flux.g - flux.b) / range + 6
-	              : most == flux.g ? (flux.b - flux.r) / range + 2
-	                               : (flux.r - flux.g) / range + 4;
-	return 1 + (unsigned)(sixth * HUES / 6 + 0.5f) % HUES;
-}
-
 static Key *make_keys(const PhotonMap *map)
 {
 	Key *keys = memory_alloc(sizeof *keys * (map->count + 1));
@@ -58,8 +42,7 @@ static Key *make_keys(const PhotonMap *map)
 		const Photon *p = &map->photons[i];
 		uint64_t landed = (uint64_t)p->light << 16 | p->object;
 		uint64_t way = (uint64_t)p->path << 8 | p->edges;
-		uint64_t kind = landed << 24 | way << 8 | kind_of_hue(photon_flux(p));
-		keys[i] = (Key){kind, i};
+		keys[i] = (Key){landed << 24 | way, i};
 	}
 	qsort(keys, map->count, sizeof *keys, compare_keys);
 	return keys;
@@ -76,7 +59,10 @@ typedef struct Group {
 	double share;     /* area of a kernel in emitter space, in photons of the group */
 	double pass;      /* how much kernels have shrunk by this pass, 0..1 */
 	double reach;
-	Footprint *footprints; /* of each photon */
+	FootprintHues hues;
+	bool parted;      /* photons have hues */
+	int room;         /* footprints a photon may have */
+	Footprint *footprints; /* room for each photon of the group; kernels of no flux are empty */
 } Group;
 
 static Vec3 vec3_of(const float v[3]) { return vec3(v[0], v[1], v[2]); }
@@ -163,7 +149,39 @@ typedef struct Neighborhood {
 	double area;   /* of a share */
 	double window; /* all neighbours within this are known */
 	FootprintPlane plane;
+	/* of parted light, else 0: */
+	int hues[KNOWN_COUNT + 1 + 8 * TREE_SLACK];
+	double hue; /* the photon's own */
+	Rgb white;  /* its flux if it had all hues */
 } Neighborhood;
+
+/*
+ * Of parted light: each neighbour's hue, and what the sheet brings here of each primary if all hues
+ * came: what the neighbours bring over what they would at strength 1. That ratio hardly depends on
+ * which hues chance has drawn.
+ */
+static void find_hues(const Group *g, const Neighbor *found, int count, Neighborhood *n)
+{
+	double sum[3] = {0}, full[3] = {0};
+	for (int i = 0; i < count; i++) {
+		Rgb flux = photon_flux(photon_of(g, found[i].index));
+		sum[0] += flux.r;
+		sum[1] += flux.g;
+		sum[2] += flux.b;
+	}
+	double mean = (sum[0] + sum[1] + sum[2]) / (3 * count);
+	for (int i = 0; i < count && mean > 0; i++) {
+		Rgb flux = photon_flux(photon_of(g, found[i].index));
+		n->hues[i] = footprint_hue_of(&g->hues, rgb_scale(flux, (float)(1 / mean)));
+		Rgb color = g->hues.color[n->hues[i]];
+		full[0] += color.r;
+		full[1] += color.g;
+		full[2] += color.b;
+	}
+	n->white = rgb((float)(full[0] > 0 ? sum[0] / full[0] : 0),
+	               (float)(full[1] > 0 ? sum[1] / full[1] : 0),
+	               (float)(full[2] > 0 ? sum[2] / full[2] : 0));
+}
 
 /* Without p itself and what lies across an edge. */
 static void take_samples(const Group *g, const Photon *p, const Neighbor *found, int count,
@@ -177,11 +195,14 @@ static void take_samples(const Group *g, const Photon *p, const Neighbor *found,
 		const Photon *q = photon_of(g, found[i].index);
 		Vec3 d = vec3_scale(vec3_sub(vec3_of(q->emitter), vec3_of(p->emitter)), scale);
 		Vec3 x = vec3_sub(vec3_of(q->position), vec3_of(p->position));
+		if (q == p)
+			n->hue = (double)n->hues[i] / FOOTPRINT_HUES;
 		if (q == p || vec3_dot(n->plane.normal, photon_normal(q)) < 0.5)
 			continue;
 		n->samples[n->count++] =
 			(FitSample){{vec3_dot(d, pu), vec3_dot(d, pv)},
-		                    {vec3_dot(x, n->plane.u), vec3_dot(x, n->plane.v)}};
+		                    {vec3_dot(x, n->plane.u), vec3_dot(x, n->plane.v)},
+		                    (double)n->hues[i] / FOOTPRINT_HUES};
 	}
 }
 
@@ -190,13 +211,17 @@ static void look_around(const Group *g, const Photon *p, Neighborhood *n)
 	Neighbor found[KNOWN_COUNT + 1 + 8 * TREE_SLACK];
 	int count = find_neighbors(g, p, KNOWN_COUNT + 1, found);
 	double area = area_near(g, found, count), scale = sqrt(M_PI / (FIT_COUNT * area));
-	n->count = 0;
+	*n = (Neighborhood){.count = 0};
 	n->area = M_PI / FIT_COUNT;
 	n->window = count == KNOWN_COUNT + 1 ? scale * sqrt(photon_tree_farthest(found, count))
 	                                     : INFINITY;
 	if (!(area > 0))
 		return;
+	if (g->parted)
+		find_hues(g, found, count, n);
 	take_samples(g, p, found, count, scale, n);
+	for (int i = 0; i < n->count; i++)
+		n->samples[i].hue -= n->hue;
 }
 
 /* ---- shapes ---- */
@@ -272,11 +297,55 @@ static void add_fitted(const Group *g, const FootprintFit *fit, const Neighborho
 		add_borders(fit, n, share2, shape);
 }
 
+static Symmetric square_of(const double x[2], double scale)
+{
+	return (Symmetric){scale * x[0] * x[0], scale * x[0] * x[1], scale * x[1] * x[1]};
+}
+
+/* Into how many bands the spectrum is to be cut, so that they overlap. */
+static int count_bands(const FootprintShape *shape, const FootprintFit *fit, int most)
+{
+	Symmetric c = shape->covariance, h = square_of(fit->hue, 1);
+	double determinant = c.uu * c.vv - c.uv * c.uv;
+	double distance2 = (c.vv * h.uu - 2 * c.uv * h.uv + c.uu * h.vv) / determinant;
+	double bands = 1 + 0.5 * sqrt(fmax(distance2, 0)); /* two standard deviations apart */
+	return bands < most ? (int)bands : most;
+}
+
+/* The photon's light in all hues, each where the map takes it. */
+static void spread_hues(const Group *g, const Photon *p, const FootprintFit *fit,
+                        const FootprintShape *white, const Neighborhood *n, Footprint *out)
+{
+	double least = 1e-6 * g->map->spacing * g->map->spacing;
+	int bands = count_bands(white, fit, g->room);
+	for (int i = 0; i < bands; i++) {
+		FootprintShape shape = *white;
+		double away = (i + 0.5) / bands - n->hue, width2 = g->pass * g->pass / (12.0 * bands * bands);
+		for (int k = 0; k < 2; k++)
+			shape.center[k] += away * fit->hue[k] + 0.5 * away * away * fit->hue_curve[k];
+		shape.covariance = blend(shape.covariance, 1, square_of(fit->hue, width2), 1);
+		for (int b = 0; b < shape.borders; b++)
+			for (int k = 0; k < 2; k++)
+				shape.point[b][k] += shape.center[k] - white->center[k];
+		out[i] = footprint_make(&shape, vec3_of(p->position), &n->plane, least);
+		out[i].flux = rgb_mul(footprint_hue_band(&g->hues, i, bands), n->white);
+	}
+}
+
+static void add_fallback(const Group *g, const Photon *p, double doubt, FootprintShape *shape)
+{
+	double radius = g->pass * nearest_radius(g, p);
+	double variance = doubt * footprint_variance * radius * radius;
+	shape->covariance.uu += variance;
+	shape->covariance.vv += variance;
+}
+
 static void set_shape(void *data, long item, int thread)
 {
 	(void)thread;
 	Group *g = data;
 	const Photon *p = photon_of(g, (uint32_t)item);
+	Footprint *out = &g->footprints[item * g->room];
 	FootprintShape shape = {.borders = 0};
 	FootprintFit fit;
 	Neighborhood n;
@@ -284,16 +353,16 @@ static void set_shape(void *data, long item, int thread)
 	double doubt = footprint_fit(n.samples, n.count, &fit) ? doubt_of(fit.roughness) : 1;
 	if (doubt < 1)
 		add_fitted(g, &fit, &n, 1 - doubt, &shape);
-	if (doubt > 0) {
-		double radius = g->pass * nearest_radius(g, p);
-		double variance = doubt * footprint_variance * radius * radius;
-		shape.covariance.uu += variance;
-		shape.covariance.vv += variance;
+	if (doubt > 0)
+		add_fallback(g, p, doubt, &shape);
+	memset(out, 0, sizeof *out * (size_t)g->room);
+	if (g->parted && doubt < 0.5) {
+		spread_hues(g, p, &fit, &shape, &n, out);
+		return;
 	}
 	double least = 1e-6 * g->map->spacing * g->map->spacing;
-	Footprint *f = &g->footprints[g->keys[item].photon];
-	*f = footprint_make(&shape, vec3_of(p->position), &n.plane, least);
-	f->photon = g->keys[item].photon;
+	*out = footprint_make(&shape, vec3_of(p->position), &n.plane, least);
+	out->flux = photon_flux(p);
 }
 
 static void set_group(Group *g)
@@ -312,42 +381,60 @@ static void set_group(Group *g)
 	free(emitters);
 }
 
-/* By trial (tests/bench/footprint_trial.c). Where colours spread, more are wanted: each hue has
- * its own few. */
-static const double default_share = 12, share_of_hue = 24;
+/* By trial (tests/bench/footprint_trial.c). */
+static const double default_share = 12;
 
-/* Whether the way of a group's photons spreads colours: tinted light has one hue or two. */
-static bool is_dispersed(const Key *keys, uint32_t count, uint32_t first)
+/* Whether the photons have hues: strongly coloured ones, red and violet. Looks at some. */
+static bool is_parted(const Group *g)
 {
-	enum { LEAST_HUES = 5 };
-	uint32_t begin = first, end = first;
-	int hues = 1;
-	while (begin > 0 && keys[begin - 1].kind >> 8 == keys[first].kind >> 8)
-		begin--;
-	for (end = begin + 1; end < count && keys[end].kind >> 8 == keys[first].kind >> 8; end++)
-		hues += keys[end].kind != keys[end - 1].kind;
-	return hues >= LEAST_HUES;
+	enum { LOOKS = 64 };
+	int pure = 0, red = 0, looks = g->count < LOOKS ? (int)g->count : LOOKS;
+	for (int i = 0; i < looks; i++) {
+		Rgb flux = photon_flux(photon_of(g, (uint32_t)((uint64_t)i * g->count / (uint64_t)looks)));
+		pure += footprint_hue_is_pure(flux);
+		red += flux.r > flux.b;
+	}
+	return 2 * pure > looks && red > looks / 5 && red < looks - looks / 5;
 }
 
-Footprint *footprint_shapes(const EstimatorSetup *setup)
+static void add_group(Group *g, FootprintList *list)
+{
+	enum { MOST_BANDS = 8 };
+	g->parted = is_parted(g);
+	g->room = g->parted ? MOST_BANDS : 1;
+	if (g->parted)
+		g->hues = footprint_hues();
+	g->footprints = memory_alloc(sizeof *g->footprints * g->count * (size_t)g->room);
+	set_group(g);
+	list->all = memory_resize(list->all, sizeof *list->all *
+						     (list->count + (size_t)g->count * (size_t)g->room + 1));
+	for (uint32_t i = 0; i < g->count * (uint32_t)g->room; i++) {
+		const Footprint *f = &g->footprints[i];
+		if (rgb_is_black(f->flux))
+			continue;
+		list->all[list->count] = *f;
+		list->all[list->count++].photon = g->keys[i / (uint32_t)g->room].photon;
+	}
+	free(g->footprints);
+}
+
+FootprintList footprint_shapes(const EstimatorSetup *setup)
 {
 	const PhotonMap *map = setup->map;
 	Key *keys = make_keys(map);
+	FootprintList list = {memory_alloc(sizeof *list.all), 0};
 	Group g = {.map = map, .reach = gather_reach(map, FALLBACK_COUNT), .pass = 1};
 	double scale = setup->method->scale > 0 ? setup->method->scale : 1;
-	g.footprints = memory_alloc(sizeof *g.footprints * (map->count + 1));
+	g.share = scale * scale * default_share;
 	/* The radius that a render without a word about it starts with holds fifty photons. */
 	if (setup->radius > 0 && map->spacing > 0)
 		g.pass = fmin(1, setup->radius / (map->spacing * sqrt(50 / M_PI)));
 	for (uint32_t first = 0; first < map->count; first += g.count) {
 		g.keys = keys + first;
-		bool dispersed = is_dispersed(keys, map->count, first);
-		g.share = scale * scale * (dispersed ? share_of_hue : default_share);
 		for (g.count = 1; first + g.count < map->count && g.keys[g.count].kind == g.keys->kind;)
 			g.count++;
-		set_group(&g);
+		add_group(&g, &list);
 	}
 	free(keys);
-	return g.footprints;
+	return list;
 }
-

@@ -7,7 +7,13 @@
 #include "density/estimator.h"
 #include "density/footprint_kernel.h"
 
-/* One for each photon, in the map's order; the caller's to free. */
-Footprint *footprint_shapes(const EstimatorSetup *setup);
+/* The block is the caller's to free. */
+typedef struct FootprintList {
+	Footprint *all;
+	uint32_t count;
+} FootprintList;
+
+/* One for each photon, several where hues part. */
+FootprintList footprint_shapes(const EstimatorSetup *setup);
 
 #endif

@@ -29,6 +29,11 @@ static void add_parameter(GatherSum *sum, const Photon *photon)
 
 void gather_add(GatherSum *sum, const Photon *photon, double kernel)
 {
+	gather_add_flux(sum, photon, photon_flux(photon), kernel);
+}
+
+void gather_add_flux(GatherSum *sum, const Photon *photon, Rgb flux, double kernel)
+{
 	sum->photons++;
 	sum->edges += photon->edges;
 	add_parameter(sum, photon);
@@ -38,7 +43,7 @@ void gather_add(GatherSum *sum, const Photon *photon, double kernel)
 	if (kernel == 0)
 		return;
 	Rgb value = sum->task->bsdf(sum->task->data, photon_direction(photon));
-	value = rgb_mul(value, photon_flux(photon));
+	value = rgb_mul(value, flux);
 	sum->radiance[0] += kernel * value.r;
 	sum->radiance[1] += kernel * value.g;
 	sum->radiance[2] += kernel * value.b;

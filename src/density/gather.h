@@ -23,6 +23,8 @@ typedef struct GatherSum {
 
 /* kernel: per area. Photons of kernel 0 count as found. */
 void gather_add(GatherSum *sum, const Photon *photon, double kernel);
+/* The same with a flux that is not the photon's own. */
+void gather_add_flux(GatherSum *sum, const Photon *photon, Rgb flux, double kernel);
 void gather_finish(const GatherSum *sum, double radius, GatherResult *result);
 
 /* Drops the neighbours that are not accepted from found, keeping the order; returns how many

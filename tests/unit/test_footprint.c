@@ -5,6 +5,7 @@
 
 #include "base/random.h"
 #include "density/footprint_fit.h"
+#include "surface/texture.h"
 #include "tests/unit/check.h"
 
 typedef void MapTo(double u, double v, double *x, double *y);
@@ -173,6 +174,39 @@ static void test_strangers(void)
 	}
 }
 
+/* Light of which each photon has a hue of its own is white where hues go the same way, and no light
+ * is lost of any primary. */
+static void test_hues(void)
+{
+	PhotonMap *map = make_map(4000, 0, straight);
+	for (uint32_t i = 0; i < map->count; i++)
+		photon_set_flux(&map->photons[i],
+				rgb_scale(interior_hue_color(random_halton(i + 1, 4)),
+					  1 / (float)map->count));
+	DensityEstimator *estimator = make(map, 0);
+	double truth = 1 / (2 * 0.5 + 0.3 * 0.1), squares = 0;
+	Rgb sum = {0, 0, 0};
+	int points = 0;
+	for (double u = 0.2; u < 0.8; u += 0.03) {
+		for (double v = 0.2; v < 0.8; v += 0.03, points++) {
+			double x, y;
+			straight(u, v, &x, &y);
+			GatherPoint point = {.position = vec3(x, 0, y), .normal = vec3(0, 1, 0)};
+			GatherResult result;
+			estimator_gather(estimator, &point, white, NULL, &result);
+			Rgb off = rgb_sub(rgb_scale(result.radiance, (float)(1 / truth)), rgb_all(1));
+			squares += (off.r * off.r + off.g * off.g + off.b * off.b) / 3;
+			sum = rgb_add(sum, result.radiance);
+		}
+	}
+	CHECK_NEAR(sum.r / points / truth, 1, 0.02);
+	CHECK_NEAR(sum.g / points / truth, 1, 0.02);
+	CHECK_NEAR(sum.b / points / truth, 1, 0.02);
+	CHECK_NEAR(sqrt(squares / points), 0, 0.15);
+	estimator_destroy(estimator);
+	photon_map_destroy(map);
+}
+
 /* Passes of shrinking kernels come nearer to the truth beside a fold. */
 static void test_passes(void)
 {
@@ -223,7 +257,7 @@ static void test_fit(void)
 	for (int i = 0; i < 16; i++) {
 		double u = 2 * random_halton((uint64_t)i + 1, 0) - 1,
 		       v = 2 * random_halton((uint64_t)i + 1, 1) - 1;
-		samples[i] = (FitSample){{u, v}, {3 * u + v + u * u, u - v + 0.5 * u * v}};
+		samples[i] = (FitSample){{u, v}, {3 * u + v + u * u, u - v + 0.5 * u * v}, 0};
 	}
 	CHECK(footprint_fit(samples, 16, &fit));
 	CHECK_NEAR(fit.jacobian[0][0], 3, 0.02);
@@ -241,6 +275,7 @@ int main(void)
 	test_energy();
 	test_border();
 	test_strangers();
+	test_hues();
 	test_passes();
 	test_few();
 	return CHECK_RESULT();
