@@ -52,7 +52,7 @@ bench-language: cognac$(EXEEXT)
 include tests/bench/relaxation.mk
 
 # How fast photons are traced, sorted into the search tree and found again, against others.
-EXTRA_DIST += tests/bench/photons.sh tests/bench/photon_tree.cc
+EXTRA_DIST += tests/bench/photons.sh tests/bench/photon_stage.py tests/bench/photon_tree.cc
 bench-photons: cognac$(EXEEXT) libphoton.a libbase.a
 	COGNAC=./cognac SOURCES=$(srcdir) bash $(srcdir)/tests/bench/photons.sh
 .PHONY: bench-photons
