@@ -41,7 +41,7 @@ status 1 relaxed.pov --load-photons relaxed.ply --photons-landed never.ply +Onev
 # Relaxation that is turned off again.
 status 0 relaxed.pov --load-photons landed.ply --photons off.ply -F Declare=Off=1
 same landed.ply off.ply "relaxation off"
-for word in features '14 iterations' 'photon tree'; do
+for word in features ' iterations of ' 'photon tree'; do
 	"$COGNAC" relaxed.pov +W8 +H6 -F 2>&1 | grep -q "$word" || fail "no $word in the statistics"
 done
 finish
