@@ -189,8 +189,6 @@ static void take_samples(const Group *g, const Photon *p, const Neighbor *found,
 {
 	Vec3 pu, pv;
 	parameter_frame(g->map, p, &pu, &pv);
-	n->plane.normal = photon_normal(p);
-	vec3_frame(n->plane.normal, &n->plane.u, &n->plane.v);
 	for (int i = 0; i < count; i++) {
 		const Photon *q = photon_of(g, found[i].index);
 		Vec3 d = vec3_scale(vec3_sub(vec3_of(q->emitter), vec3_of(p->emitter)), scale);
@@ -213,6 +211,8 @@ static void look_around(const Group *g, const Photon *p, Neighborhood *n)
 	double area = area_near(g, found, count), scale = sqrt(M_PI / (FIT_COUNT * area));
 	*n = (Neighborhood){.count = 0};
 	n->area = M_PI / FIT_COUNT;
+	n->plane.normal = photon_normal(p);
+	vec3_frame(n->plane.normal, &n->plane.u, &n->plane.v);
 	n->window = count == KNOWN_COUNT + 1 ? scale * sqrt(photon_tree_farthest(found, count))
 	                                     : INFINITY;
 	if (!(area > 0))

@@ -18,6 +18,7 @@
 #include <math.h>
 
 #include "base/arena.h"
+#include "photon/relax_forest.h"
 
 FeatureAxes feature_axes(const double (*points)[2], int count, double radius)
 {
@@ -66,7 +67,7 @@ double feature_freedom(double l2, int count)
 enum { DENSITY_NEIGHBORS = 16 };
 
 typedef struct RangeJob {
-	const PhotonTree *tree;
+	const RelaxForest *forest;
 	double factor; /* beta^2 Kc */
 } RangeJob;
 
@@ -76,10 +77,7 @@ static void range_run(RelaxSet *set, uint32_t first, uint32_t end, void *data)
 	Neighbor near[DENSITY_NEIGHBORS + 1 + 8 * TREE_SLACK];
 	for (uint32_t i = first; i < end; i++) {
 		RelaxPoint *point = &set->points[i];
-		const float *e = point->emitter;
-		EmitterRange range = {{e[0], e[1], e[2]}, INFINITY, point->sheet};
-		NearestQuery query = {{e[0], e[1], e[2]}, INFINITY, DENSITY_NEIGHBORS + 1, &range};
-		int count = photon_tree_nearest(job->tree, &query, near);
+		int count = relax_forest_nearest(job->forest, i, DENSITY_NEIGHBORS + 1, near);
 		/* eq. 1 with rho = n / (pi r^2) */
 		if (count == DENSITY_NEIGHBORS + 1)
 			point->range2 = (float)(job->factor * photon_tree_farthest(near, count) /
@@ -89,22 +87,16 @@ static void range_run(RelaxSet *set, uint32_t first, uint32_t end, void *data)
 
 static void find_ranges(RelaxSet *set, const Relaxation *settings)
 {
-	const RelaxPoint *points = set->points;
-	TreePoints given = {.position = points->emitter,
-			    .emitter = points->emitter,
-			    .light = &points->sheet,
-			    .count = set->count,
-			    .stride = sizeof *points};
-	PhotonTree *tree = photon_tree_create(&given);
-	RangeJob job = {tree, settings->range * settings->range * settings->neighbors};
+	RelaxForest *forest = relax_forest_create(set, RELAX_EMITTER);
+	RangeJob job = {forest, settings->range * settings->range * settings->neighbors};
 	relax_set_each(set, range_run, &job);
-	photon_tree_destroy(tree);
+	relax_forest_destroy(forest);
 }
 
 /* ---- constraints ---- */
 
 typedef struct FeatureJob {
-	const PhotonTree *tree;
+	const RelaxForest *forest;
 	int count; /* Kc */
 } FeatureJob;
 
@@ -139,13 +131,7 @@ static void basis_run(RelaxSet *set, uint32_t first, uint32_t end, void *data)
 	double flat[job->count + 1][2];
 	for (uint32_t i = first; i < end; i++) {
 		const RelaxPoint *point = &set->points[i];
-		EmitterRange range;
-		relax_set_range(set, RELAX_PARAMETER, i, &range);
-		NearestQuery query = {{point->position[0], point->position[1], point->position[2]},
-				      INFINITY,
-				      job->count + 1,
-				      &range};
-		int found = photon_tree_nearest(job->tree, &query, near);
+		int found = relax_forest_nearest(job->forest, i, job->count + 1, near);
 		Vec3 u, v,
 			normal = vec3_normalize(
 				vec3(point->normal[0], point->normal[1], point->normal[2]));
@@ -163,8 +149,8 @@ void features_detect(RelaxSet *set, const Relaxation *settings)
 {
 	find_ranges(set, settings);
 	set->bases = memory_alloc(sizeof *set->bases * ((size_t)set->count + 1));
-	PhotonTree *tree = relax_set_tree(set, RELAX_PARAMETER);
-	FeatureJob job = {tree, settings->neighbors};
+	RelaxForest *forest = relax_forest_create(set, RELAX_PARAMETER);
+	FeatureJob job = {forest, settings->neighbors};
 	relax_set_each(set, basis_run, &job);
-	photon_tree_destroy(tree);
+	relax_forest_destroy(forest);
 }

@@ -7,6 +7,7 @@
 #include "base/arena.h"
 #include "base/parallel.h"
 #include "base/random.h"
+#include "photon/relax_forest.h"
 
 /* ---- the working copy ---- */
 
@@ -90,7 +91,6 @@ void relax_set_init(RelaxSet *set, const PhotonMap *map, const RelaxSurfaces *su
 		if (!takes_part(&map->photons[i], surfaces))
 			continue;
 		set->points[set->count++] = make_point(&map->photons[i], i);
-		set->objects |= map->photons[i].object != set->points[0].object;
 	}
 	scale_fluxes(set);
 	sort_points(set);
@@ -144,28 +144,6 @@ void relax_set_each(RelaxSet *set, RelaxRun *run, void *data)
 
 /* ---- neighbours ---- */
 
-PhotonTree *relax_set_tree(const RelaxSet *set, RelaxSpace space)
-{
-	const RelaxPoint *points = set->points;
-	TreePoints tree = {
-		.position = points->position, .count = set->count, .stride = sizeof *points};
-	if (space == RELAX_PARAMETER || set->objects) {
-		tree.emitter = points->emitter;
-		tree.light = space == RELAX_PARAMETER ? &points->sheet : &points->object;
-	}
-	return photon_tree_create(&tree);
-}
-
-bool relax_set_range(const RelaxSet *set, RelaxSpace space, uint32_t point, EmitterRange *range)
-{
-	const RelaxPoint *p = &set->points[point];
-	bool parameter = space == RELAX_PARAMETER;
-	*range = (EmitterRange){{p->emitter[0], p->emitter[1], p->emitter[2]},
-				parameter ? p->range2 : INFINITY,
-				parameter ? p->sheet : p->object};
-	return parameter || set->objects;
-}
-
 /* cosine of 45 degrees: beyond an edge or on the other side is another surface. */
 static const float SAME_SIDE = 0.7f;
 
@@ -189,8 +167,7 @@ static void drop_farthest(Neighbor *near, int *count)
 }
 
 typedef struct FillJob {
-	const PhotonTree *tree;
-	RelaxSpace space;
+	const RelaxForest *forest;
 	int widest; /* the most that is asked for when many found lie on another side */
 } FillJob;
 
@@ -199,13 +176,7 @@ static int find_near(const RelaxSet *set, const FillJob *job, uint32_t i, int as
 			  Neighbor *near, int *met)
 {
 	const RelaxPoint *point = &set->points[i];
-	EmitterRange range;
-	bool ranged = relax_set_range(set, job->space, i, &range);
-	NearestQuery query = {{point->position[0], point->position[1], point->position[2]},
-			      INFINITY,
-			      asked,
-			      ranged ? &range : NULL};
-	*met = photon_tree_nearest(job->tree, &query, near);
+	*met = relax_forest_nearest(job->forest, i, asked, near);
 	int kept = 0;
 	for (int j = 0; j < *met; j++) {
 		if (near[j].index != i && same_side(point, &set->points[near[j].index]))
@@ -245,8 +216,8 @@ void relax_lists_fill(RelaxSet *set, RelaxSpace space, int most)
 		lists->counts = memory_alloc((size_t)set->count + 1);
 		lists->most = most;
 	}
-	PhotonTree *tree = relax_set_tree(set, space);
-	FillJob job = {tree, space, 4 * (most + 1)};
+	RelaxForest *forest = relax_forest_create(set, space);
+	FillJob job = {forest, 4 * (most + 1)};
 	relax_set_each(set, fill_run, &job);
-	photon_tree_destroy(tree);
+	relax_forest_destroy(forest);
 }

@@ -43,13 +43,16 @@ typedef struct RelaxSet {
 	RelaxPoint *points;
 	RelaxBasis *bases;  /* NULL: unconstrained */
 	uint32_t count;
-	bool objects;       /* on more than one object */
 	RelaxLists lists;
 	const RelaxSurfaces *surfaces;
 } RelaxSet;
 
-/* What makes two points neighbours besides lying near in world space. */
-typedef enum RelaxSpace { RELAX_PARAMETER, RELAX_WORLD } RelaxSpace;
+/* What makes two points neighbours. */
+typedef enum RelaxSpace {
+	RELAX_PARAMETER, /* near in world space, of one sheet, within range where they left */
+	RELAX_WORLD,     /* near in world space, on one object */
+	RELAX_EMITTER,   /* near where they left the light, of one sheet */
+} RelaxSpace;
 
 /* All photons but those on fixed objects, and those whose place is no number. */
 void relax_set_init(RelaxSet *set, const PhotonMap *map, const RelaxSurfaces *surfaces);
@@ -57,9 +60,6 @@ void relax_set_free(RelaxSet *set);
 /* Positions and normals back to the photons they belong to. */
 void relax_set_store(const RelaxSet *set, PhotonMap *map);
 
-PhotonTree *relax_set_tree(const RelaxSet *set, RelaxSpace space);
-/* Among whom a point looks for neighbours in such a tree; false: among all. */
-bool relax_set_range(const RelaxSet *set, RelaxSpace space, uint32_t point, EmitterRange *range);
 /* Fills in the lists with the up to `most` nearest on the same side of the same object. */
 void relax_lists_fill(RelaxSet *set, RelaxSpace space, int most);
 

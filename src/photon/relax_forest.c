@@ -1,0 +1,112 @@
+#include "photon/relax_forest.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "base/arena.h"
+
+enum { KEYS = UINT16_MAX + 1 };
+
+struct RelaxForest {
+	const RelaxSet *set;
+	RelaxSpace space;
+	uint32_t starts[KEYS + 1]; /* of each key's points among the members */
+	uint32_t *members;         /* the set's points by key, in their order */
+	PhotonTree *trees[KEYS];
+};
+
+static uint16_t key_of(const RelaxForest *forest, uint32_t point)
+{
+	const RelaxPoint *p = &forest->set->points[point];
+	return forest->space == RELAX_WORLD ? p->object : p->sheet;
+}
+
+static void sort_members(RelaxForest *forest)
+{
+	uint32_t count = forest->set->count, *next = forest->starts + 1;
+	for (uint32_t i = 0; i < count; i++)
+		next[key_of(forest, i)]++;
+	uint32_t sum = 0;
+	for (int key = 0; key < KEYS; key++) {
+		uint32_t own = next[key];
+		next[key] = sum; /* where the next one goes: in the end, where the key's end */
+		sum += own;
+	}
+	for (uint32_t i = 0; i < count; i++)
+		forest->members[next[key_of(forest, i)]++] = i;
+}
+
+typedef struct Place {
+	float position[3], emitter[3];
+	uint16_t light;
+} Place;
+
+static Place *make_places(const RelaxForest *forest)
+{
+	const RelaxSet *set = forest->set;
+	Place *places = memory_alloc(sizeof *places * ((size_t)set->count + 1));
+	for (uint32_t i = 0; i < set->count; i++) {
+		const RelaxPoint *p = &set->points[forest->members[i]];
+		memcpy(places[i].position,
+		       forest->space == RELAX_EMITTER ? p->emitter : p->position,
+		       sizeof places[i].position);
+		memcpy(places[i].emitter, p->emitter, sizeof places[i].emitter);
+		places[i].light = 0;
+	}
+	return places;
+}
+
+static PhotonTree *make_tree(const RelaxForest *forest, const Place *places, uint32_t count)
+{
+	TreePoints points = {
+		.position = places->position, .count = count, .stride = sizeof *places};
+	if (forest->space == RELAX_PARAMETER) {
+		points.emitter = places->emitter;
+		points.light = &places->light;
+	}
+	return photon_tree_create(&points);
+}
+
+RelaxForest *relax_forest_create(const RelaxSet *set, RelaxSpace space)
+{
+	RelaxForest *forest = memory_alloc(sizeof *forest);
+	memset(forest, 0, sizeof *forest);
+	forest->set = set;
+	forest->space = space;
+	forest->members = memory_alloc(sizeof *forest->members * ((size_t)set->count + 1));
+	sort_members(forest);
+	Place *places = make_places(forest);
+	for (int key = 0; key < KEYS; key++) {
+		uint32_t first = forest->starts[key], count = forest->starts[key + 1] - first;
+		if (count > 0)
+			forest->trees[key] = make_tree(forest, places + first, count);
+	}
+	free(places);
+	return forest;
+}
+
+void relax_forest_destroy(RelaxForest *forest)
+{
+	for (int key = 0; key < KEYS; key++)
+		photon_tree_destroy(forest->trees[key]);
+	free(forest->members);
+	free(forest);
+}
+
+int relax_forest_nearest(const RelaxForest *forest, uint32_t point, int count, Neighbor *out)
+{
+	const RelaxPoint *p = &forest->set->points[point];
+	const float *at = forest->space == RELAX_EMITTER ? p->emitter : p->position;
+	uint16_t key = key_of(forest, point);
+	EmitterRange range = {{p->emitter[0], p->emitter[1], p->emitter[2]}, p->range2, 0};
+	NearestQuery query = {{at[0], at[1], at[2]},
+			      INFINITY,
+			      count,
+			      forest->space == RELAX_PARAMETER ? &range : NULL};
+	int found = photon_tree_nearest(forest->trees[key], &query, out);
+	const uint32_t *members = forest->members + forest->starts[key];
+	for (int i = 0; i < found; i++)
+		out[i].index = members[out[i].index];
+	return found;
+}

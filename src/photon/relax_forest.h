@@ -1,0 +1,20 @@
+/*
+ * Search trees among the points that may be neighbours: one for each sheet, or for each object.
+ * In one tree for all, a search on a sheet would walk through all others that lie over it.
+ */
+#ifndef PHOTON_RELAX_FOREST_H
+#define PHOTON_RELAX_FOREST_H
+
+#include "photon/relax_set.h"
+#include "photon/tree.h"
+
+typedef struct RelaxForest RelaxForest;
+
+RelaxForest *relax_forest_create(const RelaxSet *set, RelaxSpace space);
+void relax_forest_destroy(RelaxForest *forest);
+
+/* The count points nearest to a point in that space, itself among them, in no order, in out (room
+ * as for photon_tree_nearest; indices into the set's points); returns how many. */
+int relax_forest_nearest(const RelaxForest *forest, uint32_t point, int count, Neighbor *out);
+
+#endif
