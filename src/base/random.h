@@ -42,7 +42,7 @@ static inline double sampler_next(Sampler *s)
 /* Radical inverse of index in the dimension-th prime base, in [0, 1); dimension < 64. (Halton 1960)
  */
 double random_halton(uint64_t index, int dimension);
-/* The same for count indices from the first on, equal but for rounding, at a few operations each. */
+/* The same for count indices from the first on, equal but for rounding, at few operations each. */
 void random_halton_run(uint64_t first, int dimension, int count, double *out);
 
 #endif

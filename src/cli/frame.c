@@ -184,7 +184,8 @@ static void on_progress(void *data, const RenderProgress *progress)
 	}
 }
 
-/* Progressive passes keep their state when all that were asked for are done, for more of them later. */
+/* Progressive passes keep their state when all that were asked for are done, for more of them
+ * later. */
 static bool keeps_state(const FrameWork *work)
 {
 	return work->job->options->resume && film_passes(work->film) > 0;

@@ -49,7 +49,8 @@ static double automatic_radius(const PhotonMap *map, int most)
 		const float *p = map->photons[(uint64_t)i * map->count / samples].position;
 		NearestQuery query = {{p[0], p[1], p[2]}, INFINITY, most, NULL};
 		int count = photon_tree_nearest(map->tree, &query, found);
-		distances[i] = sqrtf(photon_tree_farthest(found, count) * (float)most / (float)count);
+		distances[i] = sqrtf(photon_tree_farthest(found, count) * (float)most /
+				     (float)count);
 	}
 	qsort(distances, samples, sizeof *distances, compare_floats);
 	return samples ? automatic_factor * distances[samples / 2] : 0;

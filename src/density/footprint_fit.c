@@ -118,7 +118,8 @@ static void set_residuals(const FitSample *samples, int count, double solution[2
 			for (int i = 0; i < TERMS; i++)
 				residuals[s][k] -= solution[k][i] * terms[i];
 		}
-		residual2[s] = residuals[s][0] * residuals[s][0] + residuals[s][1] * residuals[s][1];
+		residual2[s] = residuals[s][0] * residuals[s][0] +
+			       residuals[s][1] * residuals[s][1];
 	}
 }
 
@@ -132,7 +133,8 @@ static void finish(const FitSample *samples, const double *weights, int count,
 		total += w;
 		misfit += e[0] * e[0] + e[1] * e[1];
 		all += w * (x[0] * x[0] + x[1] * x[1]);
-		r = (Symmetric){r.uu + w * e[0] * e[0], r.uv + w * e[0] * e[1], r.vv + w * e[1] * e[1]};
+		r = (Symmetric){r.uu + w * e[0] * e[0], r.uv + w * e[0] * e[1],
+				r.vv + w * e[1] * e[1]};
 	}
 	fit->residual = (Symmetric){r.uu / total, r.uv / total, r.vv / total};
 	fit->misfit = misfit / count;
@@ -141,12 +143,14 @@ static void finish(const FitSample *samples, const double *weights, int count,
 
 bool footprint_fit(const FitSample *samples, int count, FootprintFit *fit)
 {
-	double weights[FIT_MOST_SAMPLES], distance2[FIT_MOST_SAMPLES], residuals[FIT_MOST_SAMPLES][2];
+	double weights[FIT_MOST_SAMPLES], distance2[FIT_MOST_SAMPLES],
+		residuals[FIT_MOST_SAMPLES][2];
 	Equations e;
 	if (count < LEAST_SAMPLES || count > FIT_MOST_SAMPLES)
 		return false;
 	for (int s = 0; s < count; s++)
-		distance2[s] = samples[s].x[0] * samples[s].x[0] + samples[s].x[1] * samples[s].x[1];
+		distance2[s] = samples[s].x[0] * samples[s].x[0] +
+			       samples[s].x[1] * samples[s].x[1];
 	for (int round = 0; round < ROUNDS; round++) {
 		weigh(samples, distance2, count, weights);
 		make_equations(samples, weights, count, &e);

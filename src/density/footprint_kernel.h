@@ -35,7 +35,7 @@ typedef struct FootprintCut { float a, b, distance; } FootprintCut;
 typedef struct Footprint {
 	float at[3], a[3], b[3];
 	float least, most; /* lengths of the axes */
-	float share;       /* of the kernel that the cuts leave, mirror images included; 1: no cuts */
+	float share; /* of the kernel that the cuts leave, mirror images included; 1: no cuts */
 	int32_t cuts;
 	FootprintCut cut[MOST_BORDERS];
 	uint32_t photon;

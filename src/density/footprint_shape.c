@@ -320,9 +320,11 @@ static void spread_hues(const Group *g, const Photon *p, const FootprintFit *fit
 	int bands = count_bands(white, fit, g->room);
 	for (int i = 0; i < bands; i++) {
 		FootprintShape shape = *white;
-		double away = (i + 0.5) / bands - n->hue, width2 = g->pass * g->pass / (12.0 * bands * bands);
+		double away = (i + 0.5) / bands - n->hue,
+		       width2 = g->pass * g->pass / (12.0 * bands * bands);
 		for (int k = 0; k < 2; k++)
-			shape.center[k] += away * fit->hue[k] + 0.5 * away * away * fit->hue_curve[k];
+			shape.center[k] += away * fit->hue[k] +
+					   0.5 * away * away * fit->hue_curve[k];
 		shape.covariance = blend(shape.covariance, 1, square_of(fit->hue, width2), 1);
 		for (int b = 0; b < shape.borders; b++)
 			for (int k = 0; k < 2; k++)
@@ -390,7 +392,8 @@ static bool is_parted(const Group *g)
 	enum { LOOKS = 64 };
 	int pure = 0, red = 0, looks = g->count < LOOKS ? (int)g->count : LOOKS;
 	for (int i = 0; i < looks; i++) {
-		Rgb flux = photon_flux(photon_of(g, (uint32_t)((uint64_t)i * g->count / (uint64_t)looks)));
+		Rgb flux = photon_flux(
+			photon_of(g, (uint32_t)((uint64_t)i * g->count / (uint64_t)looks)));
 		pure += footprint_hue_is_pure(flux);
 		red += flux.r > flux.b;
 	}
@@ -406,8 +409,9 @@ static void add_group(Group *g, FootprintList *list)
 		g->hues = footprint_hues();
 	g->footprints = memory_alloc(sizeof *g->footprints * g->count * (size_t)g->room);
 	set_group(g);
-	list->all = memory_resize(list->all, sizeof *list->all *
-						     (list->count + (size_t)g->count * (size_t)g->room + 1));
+	list->all = memory_resize(list->all,
+				  sizeof *list->all *
+					  (list->count + (size_t)g->count * (size_t)g->room + 1));
 	for (uint32_t i = 0; i < g->count * (uint32_t)g->room; i++) {
 		const Footprint *f = &g->footprints[i];
 		if (rgb_is_black(f->flux))
@@ -431,7 +435,8 @@ FootprintList footprint_shapes(const EstimatorSetup *setup)
 		g.pass = fmin(1, setup->radius / (map->spacing * sqrt(50 / M_PI)));
 	for (uint32_t first = 0; first < map->count; first += g.count) {
 		g.keys = keys + first;
-		for (g.count = 1; first + g.count < map->count && g.keys[g.count].kind == g.keys->kind;)
+		for (g.count = 1;
+		     first + g.count < map->count && g.keys[g.count].kind == g.keys->kind;)
 			g.count++;
 		add_group(&g, &list);
 	}

@@ -51,7 +51,8 @@ Image *layer_extract(const ExrImage *exr, const char *layer)
 	image->linear = true;
 	for (size_t i = 0; i < pixel_count(image); i++)
 		for (int c = 0; c < image->channels; c++)
-			image->pixels[i * image->channels + c] = found[c]->data[i * found[c]->stride];
+			image->pixels[i * image->channels + c] =
+				found[c]->data[i * found[c]->stride];
 	return image;
 }
 

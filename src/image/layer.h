@@ -14,7 +14,7 @@
  * NULL when it is not there. */
 Image *layer_extract(const ExrImage *exr, const char *layer);
 
-/* Names of all layers, each once, in the file's order; returns how many. They end with the arena. */
+/* Names of all layers, each once, in the file's order; returns how many. The arena owns them. */
 int layer_names(const ExrImage *exr, const char ***names, Arena *arena);
 
 /* The least and the largest finite value. False when there is none. */

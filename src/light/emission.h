@@ -28,7 +28,7 @@
 typedef struct EmissionAim {
 	Vec3 center;
 	double radius;
-	double reach; /* share of the ball's disc or cap, from its middle, that is shot at; 0: all */
+	double reach; /* share of the ball's disc or cap, from its middle, shot at; 0: all */
 } EmissionAim;
 
 /* The part of the emitter's parameter space that may reach the target: a disc of the plane, or a

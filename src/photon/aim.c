@@ -111,7 +111,7 @@ static PhotonAim make_aim(const Scene *scene, int light, const Target *target, u
 	return aim;
 }
 
-/* What a pair of faces leaves of the range; a ray in a face's plane makes a NaN, which leaves all. */
+/* What two opposite faces leave of a range; a ray in a face makes a NaN, which leaves all. */
 static inline void cut_range(double lo, double hi, double origin, double direction, double range[2])
 {
 	double inverse = 1 / direction, a = (lo - origin) * inverse, b = (hi - origin) * inverse;

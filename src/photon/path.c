@@ -229,7 +229,8 @@ static void go_on(Path *path, const ShadePoint *point, const BsdfEvent *event)
 	path->ray = (Ray){point->at.world, event->to, shade_epsilon(point->at.world), INFINITY};
 	int what = event->kind == BSDF_REFLECT ? 1 : event->total ? 2 : 3;
 	path->kind = (uint16_t)random_bits(path->kind * 4u + (unsigned)what,
-					   (uint64_t)point->surface->id, face_of(point->hit, point->at.world));
+					   (uint64_t)point->surface->id,
+					   face_of(point->hit, point->at.world));
 }
 
 /* What passes is tinted all the same, as a shadow is, unless the object has none: POV-Ray does so,

@@ -16,8 +16,8 @@ typedef struct Photon {
 	float emitter[3]; /* emitter coordinates, in the light's own units: see light/emission.h */
 	float length;          /* of the path from the light, scene units */
 	uint16_t mantissa[3];  /* flux: mantissa * 2^(exponent - 16) per channel */
-	uint16_t path; /* hash of the objects, flat faces and events on the way: equal for photons of
-			  one sheet */
+	uint16_t path; /* hash of the objects, flat faces and events on the way: equal for photons
+			  of one sheet */
 	uint16_t direction[2]; /* where it came from: unit vector from the surface back along the
 				  path, octahedral */
 	uint16_t light;        /* number of the scene's light */

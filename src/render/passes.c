@@ -267,7 +267,8 @@ static bool check_files(const Passes *passes)
 	const PassOptions *options = passes->job->options;
 	bool writes = options->save_file || options->landed_file;
 	if (writes && !wants_photons(passes)) {
-		diag_fail(passes->job->diag, "the scene asks for no photons: there are none to write");
+		diag_fail(passes->job->diag,
+			  "the scene asks for no photons: there are none to write");
 		return false;
 	}
 	if (passes->progressive.on && (writes || options->load_file)) {

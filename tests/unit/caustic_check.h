@@ -47,7 +47,8 @@ typedef struct FloorFrame {
 	double x, z, along_x, along_z;
 } FloorFrame;
 
-static inline void floor_coordinates(const FloorFrame *frame, const Photon *photon, double *a, double *b)
+static inline void floor_coordinates(const FloorFrame *frame, const Photon *photon, double *a,
+				     double *b)
 {
 	double x = photon->position[0] - frame->x, z = photon->position[2] - frame->z;
 	*a = x * frame->along_x + z * frame->along_z;

@@ -143,7 +143,8 @@ static void test_strangers(void)
 {
 	enum { COUNT = 2000 };
 	for (int below = 0; below < 2; below++) {
-		PhotonMap *alone = make_map(COUNT, 0, straight), *both = make_map(2 * COUNT, 0, straight);
+		PhotonMap *alone = make_map(COUNT, 0, straight),
+			  *both = make_map(2 * COUNT, 0, straight);
 		both->lights = realloc(both->lights, 2 * sizeof(PhotonLight));
 		both->lights[0] = both->lights[1] = alone->lights[0];
 		both->light_count = 2;
@@ -194,7 +195,8 @@ static void test_hues(void)
 			GatherPoint point = {.position = vec3(x, 0, y), .normal = vec3(0, 1, 0)};
 			GatherResult result;
 			estimator_gather(estimator, &point, white, NULL, &result);
-			Rgb off = rgb_sub(rgb_scale(result.radiance, (float)(1 / truth)), rgb_all(1));
+			Rgb off = rgb_sub(rgb_scale(result.radiance, (float)(1 / truth)),
+					  rgb_all(1));
 			squares += (off.r * off.r + off.g * off.g + off.b * off.b) / 3;
 			sum = rgb_add(sum, result.radiance);
 		}
