@@ -42,11 +42,11 @@ static SamplePlace pixel_place(const AntialiasPixel *pixel)
 	};
 }
 
-void antialias_centre(const AntialiasPixel *pixel, FilmPixel *out)
+void antialias_first(const AntialiasPixel *pixel, FilmPixel *out)
 {
 	SamplePlace place = pixel_place(pixel);
-	place.x += 0.5;
-	place.y += 0.5;
+	place.x += pixel->options->place[0];
+	place.y += pixel->options->place[1];
 	place.first_hit = pixel->first_hit;
 	sample_image(pixel->tracer, &place, out);
 }

@@ -16,10 +16,10 @@ typedef struct AntialiasPixel {
 	bool first_hit; /* the film wants to know what was met */
 } AntialiasPixel;
 
-/* The sample at the pixel's centre. */
-void antialias_centre(const AntialiasPixel *pixel, FilmPixel *out);
+/* The pixel's first sample, at the options' place. */
+void antialias_first(const AntialiasPixel *pixel, FilmPixel *out);
 
-/* Method 1: a grid of depth x depth samples, jittered, beside the first at the centre, whose other
+/* Method 1: a grid of depth x depth samples, jittered, beside the first, whose other
  * layers are kept. */
 void antialias_grid(const AntialiasPixel *pixel, const FilmPixel *first, FilmPixel *out);
 

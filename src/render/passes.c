@@ -170,6 +170,21 @@ static uint64_t seed_of_pass(uint64_t seed, uint32_t pass)
 	return pass == 0 ? seed : random_bits(seed, pass, 0);
 }
 
+/*
+ * Each pass looks through another place in the pixels, so that the mean is over them and not over
+ * their middles only: of a fold, light along a line, that would be no picture. The first pass looks
+ * through the middle, the others where an additive recurrence over the plastic number leads, which
+ * fills a square evenly (Roberts 2018). +J scales it as it does antialiasing.
+ */
+static void settle_place(Passes *passes)
+{
+	static const double step[2] = {0.7548776662466927, 0.5698402909980532};
+	for (int axis = 0; axis < 2; axis++) {
+		double place = fmod(0.5 + passes->pass * step[axis], 1);
+		passes->render.place[axis] = 0.5 + (place - 0.5) * passes->job->render->jitter;
+	}
+}
+
 static double radius_of_pass(const Passes *passes, uint32_t pass)
 {
 	return passes->reduction->radius(passes->progressive.radius, pass);
@@ -178,6 +193,7 @@ static double radius_of_pass(const Passes *passes, uint32_t pass)
 static RenderStatus render_pass(Passes *passes, Film *film)
 {
 	passes->render.seed = seed_of_pass(passes->seed, passes->pass);
+	settle_place(passes);
 	PhotonMap *map = trace_photons(passes);
 	if (!map)
 		return RENDER_STOPPED;

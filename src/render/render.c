@@ -57,6 +57,7 @@ RenderOptions render_options_default(void)
 		.depth = 3,
 		.jitter = 1,
 		.gamma = 2.5,
+		.place = {0.5, 0.5},
 		.progress_interval = 0.5,
 	};
 }
@@ -74,10 +75,10 @@ static AntialiasPixel pixel_at(const Render *render, Worker *worker, int x, int 
 				render->first_hit};
 }
 
-static void pixel_centre(const Render *render, Worker *worker, int x, int y, FilmPixel *out)
+static void pixel_first(const Render *render, Worker *worker, int x, int y, FilmPixel *out)
 {
 	AntialiasPixel pixel = pixel_at(render, worker, x, y);
-	antialias_centre(&pixel, out);
+	antialias_first(&pixel, out);
 }
 
 static void pixel_recursive(const Render *render, Worker *worker, int x, int y, FilmPixel *out)
@@ -242,11 +243,11 @@ static bool run_passes(Render *render)
 		FilmRect around = {region.x0 - (region.x0 > 0), region.y0 - (region.y0 > 0),
 		                   region.x1 + (region.x1 < film_width(render->film)),
 		                   region.y1 + (region.y1 < film_height(render->film))};
-		Pass first = {around, pixel_centre, is_first_needed, 0.4};
+		Pass first = {around, pixel_first, is_first_needed, 0.4};
 		Pass second = {region, pixel_compared, is_unfinished, 0.6};
 		return run_pass(render, &first, false) && run_pass(render, &second, true);
 	}
-	Pass only = {region, options->antialias ? pixel_recursive : pixel_centre, is_unfinished, 1};
+	Pass only = {region, options->antialias ? pixel_recursive : pixel_first, is_unfinished, 1};
 	return run_pass(render, &only, true);
 }
 

@@ -23,13 +23,14 @@ typedef struct RenderOptions {
 	double jitter;       /* +J: 0 (off) .. 1 */
 	double gamma;        /* +AG */
 	bool alpha;          /* +UA: keep what is seen of the background transparent */
+	double place[2];     /* in each pixel, of its first sample: 0..1 from its left, upper corner */
 	uint64_t seed;
 	const Caustics *caustics; /* what photons brought; NULL: none */
 	double progress_interval; /* seconds between calls of progress; 0: after every tile */
 } RenderOptions;
 
 /* POV-Ray's defaults: quality 9, no antialiasing; method 1, threshold 0.3, depth 3, jitter 1,
- * gamma 2.5. */
+ * gamma 2.5; the first sample in the pixel's middle. */
 RenderOptions render_options_default(void);
 
 typedef struct RenderProgress {

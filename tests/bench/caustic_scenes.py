@@ -1,6 +1,5 @@
 """The scenes that caustics are measured on: for each a camera close to its caustic, so that this
-fills the picture, and what references and tests share. One ray from the eye goes through each
-pixel's middle, so that all gather light at the same points.
+fills the picture, and what references and tests share.
 """
 
 import hashlib
@@ -15,29 +14,26 @@ SIZE = 256  # pixels, both ways
 
 
 class Close(NamedTuple):
-    """A camera; the first pass' radius of the reference, in pixels: half a pixel, so that the
-    brightest folds are not blurred, but more where there are none, for less noise; and the crop
-    that is shown large: its name, x, y, width and height in pixels."""
+    """A camera, and the crop that is shown large: its name, x, y, width and height in pixels."""
 
     location: tuple
     look_at: tuple
     angle: float  # degrees
-    radius: float
     crop: tuple
 
 
 CAMERAS = {
-    "prism": Close((6.5, 12, -11.5), (5.1, 0, -2.3), 28, 1.6, ("folds", 90, 70, 96, 96)),
-    "cognac": Close((14, 15, -15), (5.6, 0, -4.7), 27, 0.5, ("crossing", 64, 56, 96, 96)),
-    "halogen": Close((-13, 15, -20), (-2.5, 0, -3.5), 40, 1.6, ("facets", 60, 110, 96, 96)),
-    "rings": Close((0.8, 12, -7), (-0.35, 0, 0.15), 24, 0.5, ("cusp", 48, 32, 96, 96)),
-    "egg": Close((6, 10, -8), (2.7, 0, -1.2), 26, 0.5, ("focus", 76, 64, 96, 96)),
-    "pool": Close((-0.6, 3, -2.9), (0.1, -1.5, -0.3), 34, 1.0, ("knot", 130, 40, 96, 96)),
-    "pool_night": Close((-1.5, 1.4, -3), (0.3, 1.9, 5), 46, 1.0, ("band", 48, 80, 96, 96)),
-    "wine": Close((10, 12, -12), (6.6, 0, -2.8), 22, 0.5, ("focus", 64, 64, 96, 96)),
-    "ring": Close((0.8, 15, -9), (1.2, 0, 0), 18, 0.5, ("cusp", 112, 80, 96, 96)),
-    "crab": Close((-5, 9, -9.5), (-1.4, 0, -2), 28, 0.5, ("wall", 96, 150, 96, 96)),
-    "dragon": Close((1, 10, -9), (0.6, 0, -2.6), 34, 0.5, ("scales", 120, 100, 96, 96)),
+    "prism": Close((6.5, 12, -11.5), (5.1, 0, -2.3), 28, ("folds", 90, 70, 96, 96)),
+    "cognac": Close((14, 15, -15), (5.6, 0, -4.7), 27, ("crossing", 64, 56, 96, 96)),
+    "halogen": Close((-13, 15, -20), (-2.5, 0, -3.5), 40, ("facets", 60, 110, 96, 96)),
+    "rings": Close((0.8, 12, -7), (-0.35, 0, 0.15), 24, ("cusp", 48, 32, 96, 96)),
+    "egg": Close((6, 10, -8), (2.7, 0, -1.2), 26, ("focus", 76, 64, 96, 96)),
+    "pool": Close((-0.6, 3, -2.9), (0.1, -1.5, -0.3), 34, ("knot", 130, 40, 96, 96)),
+    "pool_night": Close((-1.5, 1.4, -3), (0.3, 1.9, 5), 46, ("band", 48, 80, 96, 96)),
+    "wine": Close((10, 12, -12), (6.6, 0, -2.8), 22, ("focus", 64, 64, 96, 96)),
+    "ring": Close((0.8, 15, -9), (1.2, 0, 0), 18, ("cusp", 112, 80, 96, 96)),
+    "crab": Close((-5, 9, -9.5), (-1.4, 0, -2), 28, ("wall", 96, 150, 96, 96)),
+    "dragon": Close((1, 10, -9), (0.6, 0, -2.6), 34, ("scales", 120, 100, 96, 96)),
 }
 SCENES = tuple(CAMERAS)
 

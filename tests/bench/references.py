@@ -1,6 +1,7 @@
 #!/usr/bin/python3
 """Reference pictures of the caustics' close-ups (caustic_scenes.py): many progressive passes of
-the plainest estimator, all photons within a radius that shrinks (apa), in two halves NAME.a.exr
+the plainest estimator, all photons within a radius that shrinks (apa), through other places in the
+pixels each, so that these are the pixels' means but for that radius; in two halves NAME.a.exr
 and NAME.b.exr with seeds that no test uses, and their mean NAME.exr. Half the RMSE between the
 halves is the error bar of the mean. Stopped in any way and called again it goes on where it was;
 with more --photons it adds to what is there."""
@@ -17,6 +18,7 @@ import caustic_scenes
 import exr
 
 SEEDS = {"a": 900001, "b": 900002}
+RADIUS = 0.5  # of the first pass, in pixels: adds half of a pixel's own variance, a tenth at the end
 UPDATE = 60  # seconds between safeguards of what is done
 
 
@@ -101,7 +103,7 @@ class Maker:
     def make(self, name):
         o = self.options
         halves = {letter: self.path(name, letter, "exr") for letter in SEEDS}
-        radius = caustic_scenes.CAMERAS[name].radius * caustic_scenes.footprint(name)
+        radius = RADIUS * caustic_scenes.footprint(name)
         estimator = "estimator { nearest { kernel epanechnikov } }"
         settings = f"{estimator} progressive {{ radius {radius:.9g} }}"
         scene = self.path(name, "close.pov")

@@ -81,6 +81,25 @@ done
 for count in 3000 12000; do
 	status 0 ball.pov +W24 +H24 "+O$count.png" --passes 1 --stats "$count.json" "Declare=Count=$count"
 done
+# Passes look through other places in the pixels: the one pixel that a bright wall covers to 0.3 becomes 0.3. -J has all look through
+# its middle, which the wall leaves free.
+cat >wall.pov <<'END'
+#version unofficial cognac 1.0;
+global_settings { assumed_gamma 1 photons { count 100 progressive { passes 64 } } }
+camera { orthographic location -z direction z right x up y }
+light_source { 9 * y, 1 photons { refraction on } }
+plane { z, 0 pigment { rgb 1 } finish { ambient 1 diffuse 0 } clipped_by { plane { x, -0.2 } } }
+sphere { 9 * x, 1 pigment { rgbt 1 } interior { ior 1.2 } photons { target refraction on } }
+END
+cat >walls.py <<'END'
+moved, still = (int.from_bytes(open(path, "rb").read()[-6:-4], "big") / 65535 for path in ("moved.ppm", "still.ppm"))
+if abs(moved - 0.3) > 0.03 or still != 0:
+    print(f"of a pixel 0.3 is lit: its passes' mean is {moved:.3f}, and {still:.3f} with -J")
+END
+status 0 wall.pov +W1 +H1 -A +FP16 File_Gamma=1 +Omoved.ppm
+status 0 wall.pov +W1 +H1 -A -J +FP16 File_Gamma=1 +Ostill.ppm
+python3 walls.py >said || fail "walls.py failed"
+[ ! -s said ] || fail "$(cat said)"
 python3 errors.py >said || fail "errors.py failed"
 [ ! -s said ] || fail "$(cat said)"
 finish
