@@ -20,7 +20,7 @@ HERE = pathlib.Path(__file__).resolve().parent
 EXAMPLES = pathlib.Path("/usr/share/doc/povray/examples")
 SPACING = r"(photons *\{[^}]*?)(count|spacing) +[\d.]+"
 # Samples: path, what is replaced for both renders, and what is replaced to leave out the photons' light. advanced/optics has its
-# photons in media and is left out. Known to be off:
+# photons in media and is left out. Printed but not judged, a fourth True, as POV-Ray's picture is not what the scene says:
 #  glassthing stands with its bottom in the very plane of the floor (its `plane { -y, 0.001 }` was meant to lift it). POV-Ray loses
 #    what leaves the glass there, here it lies on the floor under the glass: 1.12. Lifted by 0.01 it is right: the second row.
 # Differences that are inside the tolerance but not noise:
@@ -30,7 +30,7 @@ SPACING = r"(photons *\{[^}]*?)(count|spacing) +[\d.]+"
 #  Single discs at the edge of the light reach less far than POV-Ray's: its search radius is not known (src/density/expand.c).
 SAMPLES = [
     ("lights/phot_met_glass", [], [(r"spacing +0\.03", "spacing 0.3 radius 1e-9")]),
-    ("lights/glassthing", [], [(r"spacing +0\.05", "spacing 0.3 radius 1e-9")]),
+    ("lights/glassthing", [], [(r"spacing +0\.05", "spacing 0.3 radius 1e-9")], True),
     ("lights/glassthing", [(r"plane \{ -y, 0.001 \}", "plane { -y, -0.01 }")], [(r"spacing +0\.05", "spacing 0.3 radius 1e-9")]),
     ("advanced/grenadine/grenadine", [], [(r"spacing +0\.01", "spacing 0.3 radius 1e-9")]),
     ("templates/Radiosity_Photons/80_Photons_scene", [], [(SPACING, r"\1spacing 0.3 radius 1e-9")]),
@@ -69,7 +69,7 @@ def replace(name, text, replacements):
 
 def prepare_sample(sample, work):
     """Copies the sample's folder and puts two scenes beside it, with and without photons. Returns folder and both names."""
-    name, for_both, for_none = sample
+    name, for_both, for_none = sample[:3]
     source = EXAMPLES / name
     folder = work / source.parent.name
     if not folder.exists():
@@ -108,14 +108,15 @@ def compare(theirs, ours):
     return [s / max(count, 1) for s in sums], count
 
 
-def run(options, name, scenes, folder, work):
+def run(options, name, scenes, folder, work, judged=True):
     size = ["+W160", "+H120"] if folder != HERE / "photons" else ["+W100", "+H100"]
     theirs = pictures(options.povray, scenes, size + ["-D"], folder, work)
     ours = pictures(options.cognac, scenes, size, folder, work)
     (a, b), count = compare(theirs, ours)
     ratio = b / a if a else 0
-    good = abs(ratio - 1) <= options.tolerance
-    print(f"{name:48} povray {a:.5f}  cognac {b:.5f}  ratio {ratio:.3f}  {count:5d} pixels{'' if good else '  OFF'}", flush=True)
+    good = abs(ratio - 1) <= options.tolerance or not judged
+    remark = "" if good and judged else "  OFF" if judged else "  not judged"
+    print(f"{name:48} povray {a:.5f}  cognac {b:.5f}  ratio {ratio:.3f}  {count:5d} pixels{remark}", flush=True)
     return good
 
 
@@ -141,7 +142,8 @@ def main():
             if options.own or not wanted(sample[0]) or not EXAMPLES.exists():
                 continue
             folder, full, none = prepare_sample(sample, work)
-            good &= run(options, sample[0] + (", changed" if sample[1] else ""), [(full, []), (none, [])], folder, work)
+            name, scenes = sample[0] + (", changed" if sample[1] else ""), [(full, []), (none, [])]
+            good &= run(options, name, scenes, folder, work, len(sample) < 4)
     return 0 if good else 1
 
 

@@ -15,11 +15,12 @@ static inline RaySlabs ray_slabs(const Ray *ray)
 	return (RaySlabs){ray->origin, vec3(1 / d.x, 1 / d.y, 1 / d.z), ray->tmin, ray->tmax};
 }
 
-/* A NaN, from a ray in the very plane of a slab's side, leaves the interval as it is. */
+/* A NaN, from a ray in the very plane of a slab's side, leaves the interval as it is: comparing
+ * with it is false, so these comparisons stand as they do. */
 static inline void ray_slabs_clip(double lo, double hi, double origin, double inverse, double t[2])
 {
 	double a = (lo - origin) * inverse, b = (hi - origin) * inverse;
-	double near = a < b ? a : b, far = a < b ? b : a;
+	double near = b < a ? b : a, far = b < a ? a : b;
 	t[0] = near > t[0] ? near : t[0];
 	t[1] = far < t[1] ? far : t[1];
 }

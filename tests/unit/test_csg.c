@@ -4,6 +4,7 @@
 #include "geom/box.h"
 #include "geom/plane.h"
 #include "geom/poly.h"
+#include "geom/ray_box.h"
 #include "geom/sphere.h"
 #include "tests/unit/shape_check.h"
 
@@ -223,6 +224,28 @@ static void test_placed(Arena *arena)
 	CHECK(!sphere_class.placed(arena, new_sphere(arena, vec3_all(0), 1)->data, &upright));
 }
 
+/* Rays in the very plane of a side meet the box, on either of its sides; those beside it do not. */
+static void test_slabs(void)
+{
+	Box3 box = {vec3(-1, -2, -3), vec3(1, 2, 3)};
+	for (int axis = 0; axis < 3; axis++)
+		for (int side = -1; side <= 1; side += 2) {
+			double at[3] = {0, 0, 0}, toward[3] = {0, 0, 0};
+			int along = (axis + 1) % 3;
+			at[axis] = side * (axis + 1.0);
+			at[along] = -10;
+			toward[along] = 1;
+			Ray ray = {vec3(at[0], at[1], at[2]),
+				   vec3(toward[0], toward[1], toward[2]), 0, INFINITY};
+			RaySlabs slabs = ray_slabs(&ray);
+			CHECK(ray_slabs_hit(&slabs, &box));
+			at[axis] *= 1.001;
+			ray.origin = vec3(at[0], at[1], at[2]);
+			slabs = ray_slabs(&ray);
+			CHECK(!ray_slabs_hit(&slabs, &box));
+		}
+}
+
 int main(void)
 {
 	Arena *arena = arena_create();
@@ -232,6 +255,7 @@ int main(void)
 	test_nested(arena);
 	test_cut_bounds(arena);
 	test_placed(arena);
+	test_slabs();
 	arena_destroy(arena);
 	return CHECK_RESULT();
 }
