@@ -1,10 +1,11 @@
 /*
- * The grammar of items and expressions. Directives never come here: the lexer runs them (directive.c), and calls this grammar
- * with another start token for what they hold. Each start rule ends without looking ahead where the language allows it, and
- * gives back the token it read ahead where not.
+ * The grammar of items and expressions. Directives never come here: the lexer runs them
+ * (directive.c), and calls this grammar with another start token for what they hold. Each start
+ * rule ends without looking ahead where the language allows it, and gives back the token it read
+ * ahead where not.
  *
- * As in POV-Ray, `<` compares inside parentheses only, and opens a vector elsewhere. `&` and `|` are taken from left to
- * right, but for function bodies, where `&` binds tighter (measured).
+ * As in POV-Ray, `<` compares inside parentheses only, and opens a vector elsewhere. `&` and `|`
+ * are taken from left to right, but for function bodies, where `&` binds tighter (measured).
  */
 %require "3.8"
 %expect 0

@@ -23,7 +23,7 @@ typedef struct RenderOptions {
 	double jitter;       /* +J: 0 (off) .. 1 */
 	double gamma;        /* +AG */
 	bool alpha;          /* +UA: keep what is seen of the background transparent */
-	double place[2];     /* in each pixel, of its first sample: 0..1 from its left, upper corner */
+	double place[2];     /* of a pixel's first sample, 0..1 from its left, upper corner */
 	uint64_t seed;
 	const Caustics *caustics; /* what photons brought; NULL: none */
 	double progress_interval; /* seconds between calls of progress; 0: after every tile */

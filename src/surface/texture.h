@@ -157,7 +157,8 @@ void texture_shade(const Texture *texture, const Transform *attach, const Surfac
 
 /* True when no place of it lets light through. May say false for an opaque one. */
 bool texture_is_opaque(const Texture *texture);
-/* True when every layer of it has a diffuse part or a highlight, and none reflects. May say false. */
+/* True when every layer of it has a diffuse part or a highlight, and none reflects. May say
+ * false. */
 bool texture_is_dull(const Texture *texture);
 /* True when some part of it looks at the surface's (u, v). */
 bool texture_uses_uv(const Texture *texture);

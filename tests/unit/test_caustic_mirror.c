@@ -9,8 +9,8 @@
  */
 #include "tests/unit/caustic_check.h"
 
-#define FLOOR_AND_MIRROR \
-	"plane { y, 0 pigment { rgb 1 } finish { diffuse 1 } }\n" \
+#define FLOOR_AND_MIRROR                                                                           \
+	"plane { y, 0 pigment { rgb 1 } finish { diffuse 1 } }\n"                                  \
 	"#declare Mirror = texture { pigment { rgb 1 } finish { ambient 0 diffuse 0 reflection 1 } };\n"
 
 /* Only a third of the ring, lest light be reflected twice. */
@@ -92,7 +92,8 @@ static void test_nephroid(void)
 	FloorFrame axis = {0, 0, 1, 0}, across = {0.5, 0, 0, 1};
 	for (int i = 0; i < 4; i++) {
 		double x = -0.05 + 0.1 * i;
-		check_density(map, &axis, (double[]){x, 0.05, 0.03}, mean(nephroid_density, x, 0.05));
+		check_density(map, &axis, (double[]){x, 0.05, 0.03},
+			      mean(nephroid_density, x, 0.05));
 	}
 	check_density(map, &axis, (double[]){0.70, 0.05, 0.02}, mean(nephroid_density, 0.70, 0.05));
 	CHECK_NEAR(floor_peak(map, &across, 0.001), 0, 0.011); /* the cusp at half the radius */
@@ -122,7 +123,8 @@ static double cardioid_density(double x)
 static FloorFrame cardioid_fold(double i)
 {
 	double wall_x = -cos(2 * i), wall_z = sin(2 * i), chord = 2 * cos(i);
-	double in_x = (wall_x - 1) / chord, in_z = wall_z / chord, along = in_x * wall_x + in_z * wall_z;
+	double in_x = (wall_x - 1) / chord, in_z = wall_z / chord,
+	       along = in_x * wall_x + in_z * wall_z;
 	double x = in_x - 2 * along * wall_x, z = in_z - 2 * along * wall_z, s = chord / 3;
 	return (FloorFrame){wall_x + s * x, wall_z + s * z, x, z};
 }
@@ -138,9 +140,11 @@ static void test_cardioid(void)
 	FloorFrame axis = {0, 0, 1, 0}, across = {-1.0 / 3, 0, 0, 1};
 	for (int i = 0; i < 5; i++) {
 		double x = -0.05 + 0.1 * i;
-		check_density(map, &axis, (double[]){x, 0.05, 0.03}, mean(cardioid_density, x, 0.05));
+		check_density(map, &axis, (double[]){x, 0.05, 0.03},
+			      mean(cardioid_density, x, 0.05));
 	}
-	CHECK_NEAR(floor_peak(map, &across, 0.001), 0, 0.011); /* the cusp at a third of the radius */
+	CHECK_NEAR(floor_peak(map, &across, 0.001), 0,
+		   0.011); /* the cusp at a third of the radius */
 	for (int side = -1; side <= 1; side += 2)
 		for (int i = 14; i <= 23; i += 3) {
 			FloorFrame fold = cardioid_fold(side * i * M_PI / 180);
@@ -169,7 +173,8 @@ static void test_paraboloid(void)
 	double flux = 0, farthest = 0;
 	for (uint32_t i = 0; i < map->count; i++) {
 		const float *p = map->photons[i].position;
-		farthest = fmax(farthest, sqrt(p[0] * p[0] + (p[1] - 1) * (p[1] - 1) + p[2] * p[2]));
+		farthest = fmax(farthest,
+				sqrt(p[0] * p[0] + (p[1] - 1) * (p[1] - 1) + p[2] * p[2]));
 		flux += rgb_gray(photon_flux(&map->photons[i]));
 	}
 	CHECK(farthest < 1e-5);
