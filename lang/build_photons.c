@@ -161,7 +161,7 @@ const Estimator *build_estimator(Context *context, const Node *block)
 {
 	Cursor cursor = cursor_begin(context, block);
 	const Estimator *named = cursor_accept_item(&cursor, VALUE_ESTIMATOR);
-	Estimator estimator = {0};
+	Estimator estimator = {.where = block->where};
 	if (!named && !read_method(&cursor, &estimator))
 		return NULL;
 	cursor_end(&cursor);

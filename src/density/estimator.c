@@ -37,10 +37,6 @@ DensityEstimator *estimator_create(const EstimatorSetup *setup, Diag *diag)
 		diag_fail(diag, "this photon estimator is not available");
 		return NULL;
 	}
-	if (setup->method->kind == ESTIMATOR_FOOTPRINT && !setup->photons->emitter_coordinates) {
-		diag_fail(diag, "estimator '%s' needs emitter_coordinates", method->name);
-		return NULL;
-	}
 	if (setup->method->count > ESTIMATOR_MOST_PHOTONS) {
 		diag_fail(diag, "estimator '%s': count %d is over %d", method->name,
 			  setup->method->count, ESTIMATOR_MOST_PHOTONS);

@@ -19,6 +19,37 @@ struct Caustics {
 	int count;
 };
 
+/* ---- what cannot be ---- */
+
+typedef struct Check {
+	Diag *diag;
+	bool failed;
+} Check;
+
+static void check_surface(void *data, const Surface *surface)
+{
+	Check *check = data;
+	const Estimator *estimator = surface->estimator;
+	if (check->failed || !estimator || estimator->kind != ESTIMATOR_FOOTPRINT)
+		return;
+	check->failed = true;
+	diag_error(check->diag, estimator->where, "the estimator footprint needs emitter_coordinates");
+}
+
+bool caustics_check(const Scene *scene, const Estimator *switched, Diag *diag)
+{
+	Check check = {diag, false};
+	if (scene->settings.photons.emitter_coordinates)
+		return true;
+	if (switched && switched->kind == ESTIMATOR_FOOTPRINT) {
+		diag_fail(diag, "--estimator footprint needs the scene's emitter_coordinates");
+		return false;
+	}
+	for (int i = 0; i < scene->shape_count && !switched; i++)
+		shape_visit_surfaces(scene->shapes[i], check_surface, &check);
+	return !check.failed;
+}
+
 /* ---- creation ---- */
 
 typedef struct Creation {

@@ -20,6 +20,10 @@ typedef struct CausticTimes {
 	double estimators; /* what they prepare: footprints' ellipses, for one */
 } CausticTimes;
 
+/* False, reported, when an estimator needs what the scene has turned off. switched stands for the
+ * scene's and its objects' if it is not NULL. */
+bool caustics_check(const Scene *scene, const Estimator *switched, Diag *diag);
+
 /* Indexes the map and takes it over, even on failure. NULL on failure, reported. times are added
  * to. */
 Caustics *caustics_create(const Scene *scene, PhotonMap *map, const CausticOptions *options,

@@ -307,6 +307,8 @@ static RenderStatus run(Passes *passes)
 	if (!wants_photons(passes))
 		return render_image(job->scene, &passes->render, job->film, &passes->callbacks,
 				    &passes->statistics->render);
+	if (!caustics_check(job->scene, job->options->estimator, job->diag))
+		return RENDER_FAILED;
 	passes->statistics->has_photons = true;
 	if (!passes->progressive.on)
 		return render_once(passes);

@@ -7,6 +7,8 @@
 
 #include <stdbool.h>
 
+#include "base/diag.h"
+
 typedef enum EstimatorKind {
 	ESTIMATOR_NEAREST,
 	ESTIMATOR_DIFFUSION,
@@ -29,6 +31,7 @@ typedef struct Estimator {
 	double scale;        /* footprint */
 	const char *network; /* deep, adaptive: a name or a path */
 	int grid, updates;   /* adaptive */
+	Location where;      /* it was asked for, in a scene */
 } Estimator;
 
 typedef struct Relaxation {
