@@ -110,6 +110,24 @@ static void test_prism(Arena *arena)
 	CHECK(!prism_create(arena, &open, &error) && error);
 }
 
+/* However slowly a ray rises: into a cone of radius 1 - y / 2, out on the other side. */
+static void test_lathe_rise(const Shape *cone)
+{
+	for (int i = 1; i <= 14; i++) {
+		double rise = pow(10, -i);
+		Ray ray = {{-5, 0.5 - 4 * rise, 0}, {1, rise, 0}, 0, 100};
+		HitList list;
+		hit_list_init(&list);
+		shape_intersect(cone, &ray, &list);
+		hit_list_sort(&list);
+		double half = 1 - 0.5 * ray.origin.y; /* the radius at the ray's start */
+		CHECK(list.count == 2);
+		CHECK_NEAR(list.hits[0].t, (5 - half) / (1 - 0.5 * rise), 1e-8);
+		CHECK_NEAR(list.hits[1].t, (5 + half) / (1 + 0.5 * rise), 1e-8);
+		hit_list_free(&list);
+	}
+}
+
 /* A linear lathe around a triangle profile is a cone: the distance is known. */
 static void test_lathe(Arena *arena)
 {
@@ -120,7 +138,7 @@ static void test_lathe(Arena *arena)
 	LatheDesc descs[] = {
 		{CURVE_LINEAR, cone, 3}, {CURVE_CUBIC, glass, 7}, {CURVE_QUADRATIC, glass, 6}};
 	const char *names[] = {"linear lathe", "cubic lathe", "quadratic lathe"};
-	for (int i = 0; i < 2; i++) {
+	for (int i = 0; i < 3; i++) {
 		Shape shape = test_shape(&lathe_class, lathe_create(arena, &descs[i], &error));
 		check_solid(&shape, names[i], 0.005);
 	}
@@ -131,6 +149,7 @@ static void test_lathe(Arena *arena)
 	CHECK_NEAR(hit.t, 4.5, 1e-9);
 	CHECK(shape_nearest(&shape, &down, &hit));
 	CHECK_NEAR(hit.t, 7.5, 1e-9);
+	test_lathe_rise(&shape);
 }
 
 static void test_sor(Arena *arena)
