@@ -7,7 +7,8 @@ for each kind of relaxation, and loaded. K "best" is searched on a seed of its o
 printed is the mean over other seeds. The columns: K, with * if it is the best; RMSE and its part
 of the reference's mean; MRSE; SSIM; RMSE beside that of nearest at its best K; how many photons
 nearest at its best K would need for this RMSE (from its RMSE at the counts measured, as a power of
-the count between them and beyond); processor seconds of the picture.
+the count between them and beyond); processor seconds of the picture with all its samples, which
+are as many a pixel for all methods (--samples): references are means over pixels.
 
 The reference's own noise is in no RMSE or MRSE: its halves a and b are independent, so the mean of
 (picture - a)(picture - b) is that of (picture - truth)^2."""
@@ -48,6 +49,16 @@ def number(text):
 
 def short(count):
     return f"{count / 1e6:.3g}M" if count >= 1e6 else f"{count / 1e3:.3g}k"
+
+
+def average(path, samples):
+    """Makes one pixel of each square of samples. Kernels may be smaller than pixels are: one sample
+    would add to their error what the reference has not."""
+    planes, texts = exr.read(path)
+    for name, plane in planes.items():
+        height, width = (size // samples for size in plane.shape)
+        planes[name] = plane.reshape(height, samples, width, samples).mean(axis=(1, 3))
+    exr.write(path, planes, texts)
 
 
 class Results:
@@ -123,7 +134,8 @@ class Bench:
     def measure(self, method, k, seed):
         relaxation, estimator, _ = METHODS[method]
         estimator = estimator.format(K=k)
-        key = f"{self.name} {self.count} {seed} {relaxation} {estimator} {self.digest}"
+        samples = self.options.samples
+        key = f"{self.name} {self.count} {seed} {relaxation} {estimator} {samples} {self.digest}"
         out = self.picture(method, k)
         known = self.results.rows.get(key)
         if known and (seed != 1 or os.path.exists(out)):
@@ -132,10 +144,13 @@ class Bench:
         self.program.run(
             self.write_scene(f"estimator {{ {estimator} }}"),
             f"--load-photons={self.photons(relaxation, seed)}",
+            f"+W{samples * caustic_scenes.SIZE}",
+            f"+H{samples * caustic_scenes.SIZE}",
             "+FE",
             f"+O{out}",
             f"--stats={stats}",
         )
+        average(out, samples)
         run = subprocess.run(
             [self.options.compare, "--json", "--layer", "caustic", out, self.reference],
             check=True,
@@ -302,6 +317,9 @@ def arguments():
         help="one more; %%K stands for a K, and a K may be 'best'",
     )
     parser.add_argument("--seeds", type=int, default=3)
+    parser.add_argument(
+        "--samples", type=int, default=2, help="of a pixel, both ways: all methods' alike"
+    )
     parser.add_argument("--threads", type=int, default=1)
     parser.add_argument("--json", help="the rows also to this file")
     parser.add_argument(
