@@ -1,12 +1,21 @@
 /*
  * A trial of relaxation in two dimensions: how far the density of the wave's caustic (wave.h) is
- * from its reference, by the nearest K photons under Epanechnikov's kernel, for several K: of
- * photons where they landed, relaxed plainly, and under constraints. The reference is the
- * closed-form map itself, 36 million paths counted in pixels. The columns: RMSE and MRSE (eps
- * 1e-2) of a picture whose mean is about 1, the errors' squares averaged over three sets of
- * photons.
+ * from the closed-form map's, by the nearest K photons under Epanechnikov's kernel, for several K:
+ * of photons where they landed, relaxed plainly, and under constraints.
  *
- * Usage: relaxation_trial [-r] [-s SEED] [PHOTONS [SETTINGS ...]]
+ * Density is without bound at folds, and so is its square's integral: a value at a point is no
+ * reference there, and the error depends on how large the pixels are. So both sides are means over
+ * pixels. The reference counts paths, as many as 240 times the photons, one from each cell of a
+ * grid over the light; its own noise is taken out with two halves of it, MSE = mean((picture -
+ * a)(picture - b)). The estimate is sampled more closely than its discs are wide. Pixels are as
+ * large as holds two thirds of a photon on the average, so that trials with more photons show finer
+ * pictures (-p: so many pixels a side).
+ *
+ * The columns: RMSE and MRSE (eps 1e-2) of a picture whose mean is about 1, the errors' squares
+ * averaged over the sets of photons; and RMSE without the brightest hundredth of the pixels, as a
+ * few at the folds rule the whole.
+ *
+ * Usage: relaxation_trial [-r] [-s SEED] [-n SETS] [-p PIXELS] [PHOTONS [SETTINGS ...]]
  * SETTINGS: PARAMETER_ITERATIONS,WORLD_ITERATIONS,RANGE,KC,KF; without any: the defaults, stage
  * one of them alone, and Spencer & Jones 2013's. -r: paths start anywhere, not at Halton's points.
  * -s: the first of the seeds, which shift Halton's points.
@@ -22,44 +31,131 @@
 #include "photon/relax.h"
 #include "tests/bench/wave.h"
 
-enum { PIXELS = 200, SAMPLES = 2, REFERENCE_PATHS = 36000000, SETS = 3 };
+static const double SIDE = 1 + 2 * WAVE_MARGIN; /* of the light */
 
-typedef struct Image { double at[PIXELS * PIXELS]; } Image;
+/* A square picture of the unit square. */
+typedef struct Image {
+	int side;
+	double *at;
+} Image;
 
-static Image *make_reference(uint64_t paths)
+static Image image_create(int side)
 {
-	Image *image = memory_alloc(sizeof *image);
-	memset(image, 0, sizeof *image);
-	for (uint64_t i = 1; i <= paths; i++) {
-		double from[2], to[2];
-		wave_start(i, from);
-		wave_map(from[0], from[1], to);
-		if (to[0] >= 0 && to[0] < 1 && to[1] >= 0 && to[1] < 1)
-			image->at[(int)(to[1] * PIXELS) * PIXELS + (int)(to[0] * PIXELS)]++;
-	}
-	double side = 1 + 2 * WAVE_MARGIN;
-	for (int i = 0; i < PIXELS * PIXELS; i++)
-		image->at[i] *= side * side * PIXELS * PIXELS / (double)paths;
+	size_t size = sizeof(double) * (size_t)side * (size_t)side;
+	Image image = {side, memory_alloc(size)};
+	memset(image.at, 0, size);
 	return image;
 }
+
+/* ---- the reference ---- */
+
+enum { HALVES = 2, STRIPS = 8, REFERENCE_FACTOR = 240 };
+
+typedef struct Reference {
+	Image halves[HALVES], mean;
+	double bright; /* what a hundredth of the pixels is brighter than */
+} Reference;
+
+/* A strip of a half: each has a picture of its own, so that the sums have one order. */
+typedef struct Counting {
+	int grid; /* cells of a half along a side of the light */
+	Image strips[HALVES * STRIPS];
+} Counting;
+
+static void count_path(Image *image, const double from[2])
+{
+	double to[2];
+	wave_map(from[0], from[1], to);
+	if (to[0] >= 0 && to[0] < 1 && to[1] >= 0 && to[1] < 1)
+		image->at[(int)(to[1] * image->side) * image->side + (int)(to[0] * image->side)]++;
+}
+
+static void count_strip(void *data, long strip, int thread)
+{
+	(void)thread;
+	Counting *counting = data;
+	int grid = counting->grid;
+	for (int row = (int)(strip / HALVES); row < grid; row += STRIPS) {
+		for (int column = 0; column < grid; column++) {
+			uint64_t cell = (uint64_t)row * (uint64_t)grid + (uint64_t)column;
+			double from[2];
+			for (int k = 0; k < 2; k++) {
+				double at = random_uniform((uint64_t)(strip % HALVES), cell,
+							   (uint64_t)k);
+				from[k] = (at + (k == 0 ? column : row)) / grid * SIDE -
+					  WAVE_MARGIN;
+			}
+			count_path(&counting->strips[strip], from);
+		}
+	}
+}
+
+static int compare_values(const void *a, const void *b)
+{
+	const double *x = a, *y = b;
+	return (*x > *y) - (*x < *y);
+}
+
+static double brighter_than(const Image *image, double share)
+{
+	size_t count = (size_t)image->side * (size_t)image->side;
+	double *sorted = memory_alloc(sizeof *sorted * count);
+	memcpy(sorted, image->at, sizeof *sorted * count);
+	qsort(sorted, count, sizeof *sorted, compare_values);
+	double value = sorted[(size_t)((1 - share) * (double)count)];
+	free(sorted);
+	return value;
+}
+
+static Reference reference_create(int side, uint32_t photons)
+{
+	Counting counting = {.grid = (int)sqrt((double)photons * REFERENCE_FACTOR / HALVES)};
+	Reference reference = {.mean = image_create(side)};
+	for (int i = 0; i < HALVES * STRIPS; i++)
+		counting.strips[i] = image_create(side);
+	parallel_for((long)HALVES * STRIPS, 1, count_strip, &counting);
+	double scale = SIDE * SIDE * side * side / counting.grid / counting.grid;
+	for (int h = 0; h < HALVES; h++) {
+		reference.halves[h] = image_create(side);
+		for (int i = h; i < HALVES * STRIPS; i += HALVES) {
+			for (int p = 0; p < side * side; p++) {
+				double density = scale * counting.strips[i].at[p];
+				reference.halves[h].at[p] += density;
+				reference.mean.at[p] += density / HALVES;
+			}
+			free(counting.strips[i].at);
+		}
+	}
+	reference.bright = brighter_than(&reference.mean, 0.01);
+	return reference;
+}
+
+static void reference_free(Reference *reference)
+{
+	for (int h = 0; h < HALVES; h++)
+		free(reference->halves[h].at);
+	free(reference->mean.at);
+}
+
+/* ---- photons ---- */
 
 /* How the photons of a trial start. */
 typedef struct Start {
 	uint32_t paths;
 	uint64_t seed;
 	bool random;
+	int sets, pixels;
 } Start;
 
 /* Where path i starts: a point of the light, its margin included, moved round by the seed. */
 static void start_path(const Start *start, uint32_t i, double from[2])
 {
-	const double side = 1 + 2 * WAVE_MARGIN;
 	wave_start(i + 1, from);
 	for (int k = 0; k < 2; k++) {
 		double at = random_uniform(start->seed, start->random ? i + 1 : 0, (uint64_t)k);
 		if (!start->random)
-			at += (from[k] + WAVE_MARGIN) / side;
-		from[k] = (at - floor(at)) * side - WAVE_MARGIN;
+			at += (from[k] + WAVE_MARGIN) / SIDE;
+		from[k] = (at - floor(at)) * SIDE - WAVE_MARGIN;
 	}
 }
 
@@ -68,7 +164,7 @@ static PhotonMap *make_photons(const Start *start)
 	uint32_t paths = start->paths;
 	PhotonMap *map = photon_map_create();
 	map->photons = memory_alloc(sizeof(Photon) * (paths + 1));
-	double side = 1 + 2 * WAVE_MARGIN, flux = side * side / paths;
+	double flux = SIDE * SIDE / paths;
 	for (uint32_t i = 0; i < paths; i++) {
 		double from[2], to[2];
 		start_path(start, i, from);
@@ -83,8 +179,10 @@ static PhotonMap *make_photons(const Start *start)
 	return map;
 }
 
-/* Density by the k nearest. */
-static double estimate(const PhotonMap *map, double x, double z, int k)
+/* ---- the estimate ---- */
+
+/* Density by the k nearest; *radius: the least so far of their discs. */
+static double estimate(const PhotonMap *map, double x, double z, int k, double *radius)
 {
 	Neighbor near[k + 8 * TREE_SLACK];
 	NearestQuery query = {{(float)x, 0, (float)z}, INFINITY, k, NULL};
@@ -93,6 +191,7 @@ static double estimate(const PhotonMap *map, double x, double z, int k)
 	for (int i = 0; i < count; i++)
 		sum += (double)photon_flux(&map->photons[near[i].index]).r *
 		       (1 - near[i].distance2 / r2);
+	*radius = fmin(*radius, sqrt(r2));
 	return sum * 2 / (M_PI * r2);
 }
 
@@ -102,82 +201,148 @@ typedef struct Job {
 	Image *image;
 } Job;
 
+static double pixel_mean(const Job *job, int column, int row, int samples, double *radius)
+{
+	double sum = 0, side = job->image->side;
+	for (int s = 0; s < samples * samples; s++)
+		sum += estimate(job->map, (column + (s % samples + 0.5) / samples) / side,
+				(row + (s / samples + 0.5) / samples) / side, job->k, radius);
+	return sum / (samples * samples);
+}
+
+/* Samples along a pixel's side: at first, and so many that a disc is at least two wide. */
+enum { FIRST_SAMPLES = 3, MOST_SAMPLES = 16 };
+
 static void estimate_row(void *data, long row, int thread)
 {
 	(void)thread;
 	const Job *job = data;
-	for (int column = 0; column < PIXELS; column++) {
-		double sum = 0;
-		for (int s = 0; s < SAMPLES * SAMPLES; s++) {
-			double x = column + (s % SAMPLES + 0.5) / SAMPLES,
-			       z = (double)row + (s / SAMPLES + 0.5) / SAMPLES;
-			sum += estimate(job->map, x / PIXELS, z / PIXELS, job->k);
+	int side = job->image->side;
+	for (int column = 0; column < side; column++) {
+		double radius = INFINITY,
+		       mean = pixel_mean(job, column, (int)row, FIRST_SAMPLES, &radius);
+		int samples = (int)fmin(2 / (radius * side), MOST_SAMPLES);
+		if (samples > FIRST_SAMPLES)
+			mean = pixel_mean(job, column, (int)row, samples, &radius);
+		job->image->at[row * side + column] = mean;
+	}
+}
+
+/* ---- errors ---- */
+
+typedef struct Errors { double squares, relative, dim; } Errors; /* means of squares */
+
+static Errors errors_of(const Image *image, const Reference *reference)
+{
+	Errors sum = {0, 0, 0};
+	int pixels = image->side * image->side, dim = 0;
+	for (int i = 0; i < pixels; i++) {
+		double square = (image->at[i] - reference->halves[0].at[i]) *
+				(image->at[i] - reference->halves[1].at[i]),
+		       r = reference->mean.at[i];
+		sum.squares += square / pixels;
+		sum.relative += square / (r * r + 1e-2) / pixels;
+		if (r <= reference->bright) {
+			sum.dim += square;
+			dim++;
 		}
-		job->image->at[row * PIXELS + column] = sum / (SAMPLES * SAMPLES);
 	}
+	sum.dim /= dim;
+	return sum;
 }
 
-typedef struct Errors { double rmse, mrse; } Errors;
+static const int counts[] = {4, 6, 10, 15, 20, 30, 42};
+enum { COUNTS = sizeof counts / sizeof *counts, FIFTEEN = 3 };
 
-static Errors errors_of(const Image *image, const Image *reference)
+/* RMSE, MRSE and RMSE of the dimmer pixels by K, and which K has the least RMSE. */
+typedef struct Row { double rmse[COUNTS], mrse[COUNTS], dim[COUNTS]; int best; } Row;
+
+static void add_errors(const PhotonMap *map, const Reference *reference, int sets, Row *row)
 {
-	double squares = 0, relative = 0;
-	for (int i = 0; i < PIXELS * PIXELS; i++) {
-		double d = image->at[i] - reference->at[i], r = reference->at[i];
-		squares += d * d;
-		relative += d * d / (r * r + 1e-2);
-	}
-	return (Errors){sqrt(squares / (PIXELS * PIXELS)), relative / (PIXELS * PIXELS)};
-}
-
-static const int counts[] = {6, 10, 15, 20, 30, 50};
-enum { COUNTS = sizeof counts / sizeof *counts, FIFTEEN = 2 };
-
-typedef struct Row { Errors at[COUNTS]; int best; } Row;
-
-static void add_errors(const PhotonMap *map, const Image *reference, Row *row)
-{
-	static Image image;
+	Image image = image_create(reference->mean.side);
 	for (int i = 0; i < COUNTS; i++) {
 		Job job = {map, counts[i], &image};
-		parallel_for(PIXELS, 1, estimate_row, &job);
+		parallel_for(image.side, 1, estimate_row, &job);
 		Errors errors = errors_of(&image, reference);
-		row->at[i].rmse += errors.rmse * errors.rmse / SETS;
-		row->at[i].mrse += errors.mrse / SETS;
+		row->rmse[i] += errors.squares / sets;
+		row->mrse[i] += errors.relative / sets;
+		row->dim[i] += errors.dim / sets;
 	}
+	free(image.at);
+}
+
+static void print_values(const char *name, const double *values)
+{
+	printf(" %-5s", name);
+	for (int i = 0; i < COUNTS; i++)
+		printf(" %7.4f", values[i]);
+	printf("\n");
 }
 
 /* settings NULL: photons stay. */
 static Row measure(const char *name, Start start, const Relaxation *settings,
-		   const Image *reference)
+		   const Reference *reference)
 {
 	Row row = {.best = 0};
 	const RelaxSurfaces everywhere = {NULL, 0, NULL, NULL};
-	for (int i = 0; i < SETS; i++, start.seed++) {
+	for (int i = 0; i < start.sets; i++, start.seed++) {
 		PhotonMap *map = make_photons(&start);
 		if (settings)
 			photon_relax(map, settings, &everywhere, NULL);
 		photon_map_index(map, 0);
-		add_errors(map, reference, &row);
+		add_errors(map, reference, start.sets, &row);
 		photon_map_destroy(map);
 	}
-	printf("%-22s", name);
 	for (int i = 0; i < COUNTS; i++) {
-		row.at[i].rmse = sqrt(row.at[i].rmse);
-		row.best = row.at[i].rmse < row.at[row.best].rmse ? i : row.best;
-		printf(" %6.4f %6.4f", row.at[i].rmse, row.at[i].mrse);
+		row.rmse[i] = sqrt(row.rmse[i]);
+		row.dim[i] = sqrt(row.dim[i]);
+		row.best = row.rmse[i] < row.rmse[row.best] ? i : row.best;
 	}
-	printf("   best K %d\n", counts[row.best]);
+	printf("%s, best K %d\n", name, counts[row.best]);
+	print_values("RMSE", row.rmse);
+	print_values("dim", row.dim);
+	print_values("MRSE", row.mrse);
 	fflush(stdout);
 	return row;
 }
 
-static void compare(const char *name, const Row *row, const Row *nearest)
+static void compare(const Row *row, const Row *nearest)
 {
-	printf("%-22s K = 15: %.3f of nearest's K = 15; best K: %.3f of nearest's best\n", name,
-	       row->at[FIFTEEN].rmse / nearest->at[FIFTEEN].rmse,
-	       row->at[row->best].rmse / nearest->at[nearest->best].rmse);
+	int best = 0, nearest_best = 0;
+	for (int i = 0; i < COUNTS; i++) {
+		best = row->dim[i] < row->dim[best] ? i : best;
+		nearest_best = nearest->dim[i] < nearest->dim[nearest_best] ? i : nearest_best;
+	}
+	printf(" of nearest: K = 15 %.3f, best K %.3f; dim: K = 15 %.3f, best K %.3f\n",
+	       row->rmse[FIFTEEN] / nearest->rmse[FIFTEEN],
+	       row->rmse[row->best] / nearest->rmse[nearest->best],
+	       row->dim[FIFTEEN] / nearest->dim[FIFTEEN], row->dim[best] / nearest->dim[nearest_best]);
+	fflush(stdout);
 }
+
+/*
+ * What is left of the error at K = 15 without any noise, by discs as large over many times the
+ * photons: no relaxation can do better.
+ */
+static void measure_blur(Start start, const Reference *reference, const Row *nearest)
+{
+	const int more = 16;
+	start.paths *= (uint32_t)more;
+	PhotonMap *map = make_photons(&start);
+	photon_map_index(map, 0);
+	Image image = image_create(reference->mean.side);
+	Job job = {map, counts[FIFTEEN] * more, &image};
+	parallel_for(image.side, 1, estimate_row, &job);
+	Errors errors = errors_of(&image, reference);
+	printf("blur alone, K = 15: RMSE %.4f dim %.4f MRSE %.4f; of nearest %.3f, dim %.3f\n",
+	       sqrt(errors.squares), sqrt(errors.dim), errors.relative,
+	       sqrt(errors.squares) / nearest->rmse[FIFTEEN],
+	       sqrt(errors.dim) / nearest->dim[FIFTEEN]);
+	free(image.at);
+	photon_map_destroy(map);
+}
+
+/* ---- the whole ---- */
 
 static Relaxation read_settings(const char *text)
 {
@@ -189,37 +354,42 @@ static Relaxation read_settings(const char *text)
 
 static void try_settings(Start start, const char *const *settings, int count)
 {
-	Image *reference = make_reference(REFERENCE_PATHS);
+	Reference reference = reference_create(start.pixels, start.paths);
 	Relaxation plain = relaxation_plain();
-	printf("%-22s", "RMSE MRSE, by K");
+	printf("%u photons, %d pixels a side; by K", start.paths, start.pixels);
 	for (int i = 0; i < COUNTS; i++)
-		printf(" %13d", counts[i]);
+		printf(" %d", counts[i]);
 	printf("\n");
-	Row nearest = measure("nearest", start, NULL, reference),
-	    row = measure("plain", start, &plain, reference);
-	compare("plain", &row, &nearest);
+	Row nearest = measure("nearest", start, NULL, &reference), row;
+	measure_blur(start, &reference, &nearest);
+	row = measure("plain", start, &plain, &reference);
+	compare(&row, &nearest);
 	for (int i = 0; i < count; i++) {
 		char name[64];
 		Relaxation relaxation = read_settings(settings[i]);
 		snprintf(name, sizeof name, "constrained %s", settings[i]);
-		row = measure(name, start, &relaxation, reference);
-		compare(name, &row, &nearest);
+		row = measure(name, start, &relaxation, &reference);
+		compare(&row, &nearest);
 	}
-	free(reference);
+	reference_free(&reference);
 }
 
 int main(int argc, char **argv)
 {
 	static const char *const defaults[] = {"", "4,0", "7,7,3"};
-	Start start = {60000, 1, false};
-	for (int c; (c = getopt(argc, argv, "rs:")) != -1;) {
+	Start start = {60000, 1, false, 3, 0};
+	for (int c; (c = getopt(argc, argv, "rs:n:p:")) != -1;) {
 		if (c == '?')
 			return 1;
 		start.random |= c == 'r';
 		start.seed = c == 's' ? strtoull(optarg, NULL, 10) : start.seed;
+		start.sets = c == 'n' ? atoi(optarg) : start.sets;
+		start.pixels = c == 'p' ? atoi(optarg) : start.pixels;
 	}
 	if (optind < argc)
 		start.paths = (uint32_t)atoi(argv[optind++]);
+	if (start.pixels <= 0)
+		start.pixels = (int)sqrt(start.paths / 1.5);
 	if (optind < argc)
 		try_settings(start, (const char *const *)argv + optind, argc - optind);
 	else
