@@ -195,18 +195,22 @@ Vec3 hit_shading_normal(const Hit *hit, Vec3 world)
 {
 	const Shape *shape = hit->shape;
 	const ShapeClass *class = shape->class;
+	if (!shape->transform && class->unit_normal && !class->shading_normal) {
+		Vec3 n = class->normal(shape->data, hit, world);
+		return shape->inverted ? vec3_neg(n) : n;
+	}
 	Vec3 own = point_into_shape(shape, world);
 	return normal_to_world(hit, class->shading_normal
 					    ? class->shading_normal(shape->data, hit, own)
 					    : class->normal(shape->data, hit, own));
 }
 
-bool hit_is_flat(const Hit *hit, Vec3 world)
+bool hit_is_flat(const Hit *hit, Vec3 world, Vec3 shading)
 {
 	const ShapeClass *class = hit->shape->class;
-	return class->flat &&
-	       (!class->shading_normal ||
-		vec3_distance(hit_normal(hit, world), hit_shading_normal(hit, world)) < 1e-6);
+	if (!class->flat || !class->shading_normal)
+		return class->flat;
+	return vec3_length2(vec3_cross(hit_normal(hit, world), shading)) < 1e-12;
 }
 
 Vec2 hit_uv(const Hit *hit, Vec3 world)

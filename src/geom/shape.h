@@ -158,8 +158,9 @@ bool shape_is_bounded(const Shape *shape);
  * (inverted shapes: inward). */
 Vec3 hit_normal(const Hit *hit, Vec3 world);
 Vec3 hit_shading_normal(const Hit *hit, Vec3 world);
-/* Whether the surface is flat and shaded as such up to the edge of a face. */
-bool hit_is_flat(const Hit *hit, Vec3 world);
+/* Whether the surface is flat and shaded as such up to the edge of a face. shading: what
+ * hit_shading_normal gives, on either side. */
+bool hit_is_flat(const Hit *hit, Vec3 world, Vec3 shading);
 Vec2 hit_uv(const Hit *hit, Vec3 world);
 /* Which of the owner's numbered textures cover the hit; 0: the owner's one texture alone. */
 int hit_textures(const Hit *hit, Vec3 world, ShapeTextures *out);

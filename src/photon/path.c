@@ -80,15 +80,22 @@ static void push_photon(PhotonBuffer *out, const Photon *photon)
 	out->photons[out->count++] = *photon;
 }
 
-/* Flat faces throw sheets of light of their own; each is known by its normal. */
-static uint64_t face_of(const Hit *hit, Vec3 p)
+/* Flat faces throw sheets of light of their own; each is known by its normal on the side that the
+ * light comes from. */
+static uint64_t face_of(const Hit *hit, Vec3 p, Vec3 normal)
 {
 	static const double steps = 65536; /* the faces' normals are told apart with */
-	if (!hit_is_flat(hit, p))
-		return 0;
-	Vec3 n = hit_normal(hit, p);
-	return random_bits((uint64_t)llrint(steps * n.x), (uint64_t)llrint(steps * n.y),
-			   (uint64_t)llrint(steps * n.z));
+	if (!hit->shape->class->flat || !hit_is_flat(hit, p, normal))
+		return 0; /* the first: to save the call */
+	return random_mix((uint64_t)llrint(steps * normal.x) +
+			  ((uint64_t)llrint(steps * normal.y) << 20) +
+			  ((uint64_t)llrint(steps * normal.z) << 40) + 1);
+}
+
+/* The hash of a way that ends with an event at an object's face. */
+static uint16_t way_of(unsigned before, int object, uint64_t face)
+{
+	return (uint16_t)random_mix(face ^ ((uint64_t)before << 32 | (uint32_t)object));
 }
 
 static void store(Path *path, const Hit *hit, Vec3 p, Vec3 normal)
@@ -104,7 +111,7 @@ static void store(Path *path, const Hit *hit, Vec3 p, Vec3 normal)
 		.light = (uint16_t)path->aim->light,
 		.object = (uint16_t)surface->id,
 		.edges = (uint8_t)(path->edges < 255 ? path->edges : 255),
-		.path = (uint16_t)random_bits(path->kind, face_of(hit, p), 0),
+		.path = way_of(path->kind, 0, face_of(hit, p, normal)),
 	};
 	photon_set_flux(&photon, rgb_scale(path->flux, (float)growth));
 	photon_set_direction(&photon, vec3_neg(path->ray.direction));
@@ -162,19 +169,48 @@ static void settle_hue(Path *path, const Surface *surface)
 	path->flux = rgb_mul(path->flux, interior_hue_color(path->hue));
 }
 
-static void make_bsdf(Path *path, const ShadePoint *point, const Shading *shading, Bsdf *bsdf)
+/* The mirrors and passages of a surface, and whether these are all that it has. */
+typedef struct Ways {
+	BsdfEvent events[BSDF_MAX_EVENTS];
+	int count;
+	bool delta;
+} Ways;
+
+static void find_uniform_ways(const Path *path, const ShadePoint *point, double ior, Ways *ways)
 {
-	const ShadingStack *stack = choose_stack(path, shading);
+	const Texture *texture = point->surface->texture;
+	ShadingLayer layer = {texture->pigment->color, point->at.normal, texture->finish};
+	ways->delta = bsdf_finish_is_delta(texture->finish);
+	ways->count = bsdf_layer_events(&layer, vec3_neg(path->ray.direction), ior, ways->events);
+}
+
+static void find_textured_ways(Path *path, const ShadePoint *point, double ior, Ways *ways)
+{
+	Shading shading;
+	Bsdf bsdf;
+	shade_textures(point, &shading);
+	const ShadingStack *stack = choose_stack(path, &shading);
 	BsdfPlace place = {
 		.from = vec3_neg(path->ray.direction),
 		.geometric = point->at.normal,
 		.world = point->at.world,
-		.ior = inside_ratio_of_hue(&path->inside, point->surface, path->hue),
+		.ior = ior,
 		.both_sides = point->surface->double_illuminate,
 		.irid_wavelength = path->scene->settings.irid_wavelength,
 		.grain = 0.5,
 	};
-	bsdf_init(bsdf, &shading->layers[stack->first], stack->count, &place);
+	bsdf_init(&bsdf, &shading.layers[stack->first], stack->count, &place);
+	ways->delta = bsdf_is_delta(&bsdf);
+	ways->count = bsdf_events(&bsdf, TRANSPORT_FLUX, ways->events);
+}
+
+static void find_ways(Path *path, const ShadePoint *point, Ways *ways)
+{
+	double ior = inside_ratio_of_hue(&path->inside, point->surface, path->hue);
+	if (point->surface->uniform)
+		find_uniform_ways(path, point, ior, ways);
+	else
+		find_textured_ways(path, point, ior, ways);
 }
 
 static bool allowed(const Path *path, const Surface *surface, const BsdfEvent *event)
@@ -186,12 +222,12 @@ static bool allowed(const Path *path, const Surface *surface, const BsdfEvent *e
 
 /* Picks one event by its weight and multiplies its weight so that the expectation is all of them;
  * NULL when none is left. */
-static BsdfEvent *choose_event(Path *path, const Surface *surface, const Bsdf *bsdf,
-			       BsdfEvent *events)
+static BsdfEvent *choose_event(Path *path, const Surface *surface, Ways *ways)
 {
 	float shares[BSDF_MAX_EVENTS], total = 0;
-	int count = bsdf_events(bsdf, TRANSPORT_FLUX, events), last = -1, choices = 0;
-	for (int i = 0; i < count; i++) {
+	BsdfEvent *events = ways->events;
+	int last = -1, choices = 0;
+	for (int i = 0; i < ways->count; i++) {
 		float share = allowed(path, surface, &events[i])
 				      ? rgb_gray(rgb_mul(events[i].weight, path->flux))
 				      : 0;
@@ -228,9 +264,9 @@ static void go_on(Path *path, const ShadePoint *point, const BsdfEvent *event)
 	path->flux = rgb_mul(path->flux, event->weight);
 	path->ray = (Ray){point->at.world, event->to, shade_epsilon(point->at.world), INFINITY};
 	int what = event->kind == BSDF_REFLECT ? 1 : event->total ? 2 : 3;
-	path->kind = (uint16_t)random_bits(path->kind * 4u + (unsigned)what,
-					   (uint64_t)point->surface->id,
-					   face_of(point->hit, point->at.world));
+	path->kind = way_of(path->kind * 4u + (unsigned)what, point->surface->id,
+					   face_of(point->hit, point->at.world,
+						   point->at.normal));
 }
 
 /* What passes is tinted all the same, as a shadow is, unless the object has none: POV-Ray does so,
@@ -300,20 +336,18 @@ static void end_on(Path *path, const Hit *hit)
 static bool scatter(Path *path, const Hit *hit)
 {
 	ShadePoint point;
-	Shading shading;
-	Bsdf bsdf;
-	BsdfEvent events[BSDF_MAX_EVENTS], *chosen = NULL;
+	Ways ways;
+	BsdfEvent *chosen = NULL;
 	PhotonStatistics *statistics = &path->out->statistics;
 	shade_point_init(&point, &path->ray, hit);
-	shade_textures(&point, &shading);
 	settle_hue(path, point.surface);
-	make_bsdf(path, &point, &shading, &bsdf);
+	find_ways(path, &point, &ways);
 	float before = rgb_gray(path->flux);
-	bool stored = collects(path, point.surface) && !bsdf_is_delta(&bsdf), on = false;
+	bool stored = collects(path, point.surface) && !ways.delta, on = false;
 	if (stored)
 		store(path, hit, point.at.world, point.at.normal);
 	if (path->edges < path->most_levels)
-		chosen = choose_event(path, point.surface, &bsdf, events);
+		chosen = choose_event(path, point.surface, &ways);
 	if (chosen) {
 		go_on(path, &point, chosen);
 		on = survives(path);

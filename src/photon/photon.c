@@ -20,12 +20,20 @@ static uint16_t to_mantissa(float value, double unit)
 	return scaled >= 65535 ? 65535 : scaled > 0 ? (uint16_t)scaled : 0;
 }
 
+/* value = fraction * 2^exponent with a fraction in [1/2, 1), for what is positive and finite. */
+static int exponent_of(float value)
+{
+	union {
+		float value;
+		uint32_t bits;
+	} parts = {value};
+	return (int)(parts.bits >> 23) - 126;
+}
+
 void photon_set_flux(Photon *photon, Rgb flux)
 {
-	int exponent = 0;
 	float most = rgb_max(flux);
-	if (most > 0 && isfinite(most))
-		frexpf(most, &exponent);
+	int exponent = most > 0 && isfinite(most) ? exponent_of(most) : 0;
 	/* A value just under a power of two must not round up to 65536. */
 	if (most * power_of_two(16 - exponent) + 0.5 >= 65536)
 		exponent++;

@@ -33,6 +33,7 @@ struct Accel {
 				 without Embree those that are as quick as their boxes */
 	int direct_count;
 	int plain_count; /* the first of these, of which the class alone says all */
+	bool all_plain;  /* there are no others at all */
 	const Shape **bounded; /* the others but for the meshes that Embree has as triangles */
 	int bounded_count;
 	const Shape *
@@ -128,17 +129,18 @@ static bool query_shape(Query *query, const Shape *shape)
 	return true;
 }
 
-/* The nearest crossing of the plain shapes, when each counts. */
-static void query_plain(Query *query)
+/* The nearest crossing of the plain shapes, when each counts; the ray then ends there. */
+static bool nearest_plain(const Accel *accel, Ray *ray, Hit *best)
 {
-	const Accel *accel = query->accel;
+	bool found = false;
 	for (int i = 0; i < accel->plain_count; i++) {
 		const Shape *shape = accel->direct[i];
-		if (!shape->class->nearest(shape, &query->ray, query->best))
+		if (!shape->class->nearest(shape, ray, best))
 			continue;
-		query->ray.tmax = query->best->t;
-		query->found = true;
+		ray->tmax = best->t;
+		found = true;
 	}
+	return found;
 }
 
 /* Asks shapes one by one; true when any crossing is enough and one was found. */
@@ -146,7 +148,7 @@ static bool query_direct(Query *query)
 {
 	const Accel *accel = query->accel;
 	if (!query->filter)
-		query_plain(query);
+		query->found = nearest_plain(accel, &query->ray, query->best);
 	for (int i = query->filter ? 0 : accel->plain_count; i < accel->direct_count; i++)
 		if (query_shape(query, accel->direct[i]) && query->any)
 			return true;
@@ -433,6 +435,8 @@ Accel *accel_create(const Shape *const *shapes, int count)
 	else
 		take_quick_ones(accel);
 	put_plain_ones_first(accel);
+	accel->all_plain = !accel->scene && !accel->bounded_count &&
+			   accel->plain_count == accel->direct_count;
 	return accel;
 }
 
@@ -454,6 +458,10 @@ void accel_destroy(Accel *accel)
 
 bool accel_nearest(const Accel *accel, const Ray *ray, AccelFilter *accept, void *data, Hit *out)
 {
+	if (accel->all_plain && !accept) {
+		Ray left = *ray;
+		return nearest_plain(accel, &left, out);
+	}
 	Query query = {.accel = accel, .ray = *ray, .filter = accept, .data = data, .best = out};
 	return query_run(&query);
 }

@@ -150,6 +150,8 @@ static const Surface *keep_surface(Flatten *flatten, State *state)
 		apply_uv_mapping(flatten->arena, &surface);
 		surface.opaque = holds_for_all(&surface, texture_is_opaque);
 		surface.ends_light = surface.opaque && holds_for_all(&surface, texture_is_dull);
+		surface.uniform = texture_is_uniform(surface.texture) &&
+				  !surface.interior_texture && !surface.texture_count;
 		state->made = arena_copy(flatten->arena, &surface, sizeof surface);
 	}
 	return state->made;

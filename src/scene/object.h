@@ -82,6 +82,7 @@ typedef struct Surface {
 	bool relaxation;                 /* photons that land here may be relaxed */
 	bool opaque; /* no texture of it lets light through: shadow rays need not look closer */
 	bool ends_light; /* nor does any reflect, and all of them scatter: photons go no farther */
+	bool uniform; /* textured the same everywhere, on both sides, by one layer without bumps */
 	int id;                          /* of the top-level object, counting from 0 */
 } Surface;
 

@@ -56,7 +56,7 @@ static Rgb metal_tint(Rgb color, double metallic, double cosine)
 
 /* ---- preparing ---- */
 
-static Rgb layer_mirror(const BsdfLayer *layer, Vec3 from, double ior)
+static Rgb layer_mirror(const ShadingLayer *layer, Vec3 from, double ior)
 {
 	const Finish *finish = layer->finish;
 	if (rgb_is_black(finish->reflection.max) && rgb_is_black(finish->reflection.min))
@@ -71,8 +71,20 @@ static Rgb layer_mirror(const BsdfLayer *layer, Vec3 from, double ior)
 	Rgb mirror = rgb_lerp(finish->reflection.min, finish->reflection.max, (float)share);
 	if (finish->reflection.metallic != 0)
 		mirror = rgb_mul(mirror,
-				 metal_tint(layer->color, finish->reflection.metallic, cosine));
+				 metal_tint(rgbft_rgb(layer->color), finish->reflection.metallic,
+					    cosine));
 	return mirror;
+}
+
+/* What the layer lets through beside its mirror. */
+static Rgb layer_through(const ShadingLayer *layer, Rgb mirror)
+{
+	Rgb through = rgbft_transmittance(layer->color);
+	if (!layer->finish->conserve_energy)
+		return through;
+	Rgb left = rgb_sub(rgb_all(1), mirror);
+	return rgb_mul(through, rgb(left.r > 0 ? left.r : 0, left.g > 0 ? left.g : 0,
+				    left.b > 0 ? left.b : 0));
 }
 
 /* Under 0 it subtracts: scenes use that. Scenes before version 3.7 count a filter by its brightest
@@ -106,14 +118,8 @@ static void init_layer(Bsdf *bsdf, const ShadingLayer *from, const BsdfPlace *pl
 	layer->grain = (float)(from->finish->crand * place->grain);
 	layer->film = from->finish->irid.amount > 0 ? film_thickness(from->finish, place->world)
 						    : 0;
-	layer->mirror = layer_mirror(layer, place->from, place->ior);
-	Rgb through = rgbft_transmittance(from->color);
-	if (from->finish->conserve_energy) {
-		Rgb left = rgb_sub(rgb_all(1), layer->mirror);
-		through = rgb_mul(through,
-				  rgb(fmaxf(left.r, 0), fmaxf(left.g, 0), fmaxf(left.b, 0)));
-	}
-	bsdf->through = rgb_mul(bsdf->through, through);
+	layer->mirror = layer_mirror(from, place->from, place->ior);
+	bsdf->through = rgb_mul(bsdf->through, layer_through(from, layer->mirror));
 }
 
 void bsdf_init(Bsdf *bsdf, const ShadingLayer *bottom_to_top, int count, const BsdfPlace *place)
@@ -246,7 +252,7 @@ Rgb bsdf_eval(const Bsdf *bsdf, Vec3 to, bool highlights)
 	return sum;
 }
 
-static bool finish_is_delta(const Finish *finish)
+bool bsdf_finish_is_delta(const Finish *finish)
 {
 	return finish->diffuse == 0 && finish->diffuse_back == 0 && finish->phong <= 0 &&
 	       finish->specular <= 0;
@@ -255,7 +261,7 @@ static bool finish_is_delta(const Finish *finish)
 bool bsdf_is_delta(const Bsdf *bsdf)
 {
 	for (int i = 0; i < bsdf->count; i++)
-		if (!finish_is_delta(bsdf->layers[i].finish))
+		if (!bsdf_finish_is_delta(bsdf->layers[i].finish))
 			return false;
 	return true;
 }
@@ -272,63 +278,85 @@ bool bsdf_sees_back(const Bsdf *bsdf)
 
 /* ---- mirrors and the passage through ---- */
 
+/* What events are made of besides their weights. */
+typedef struct EventPlace {
+	Vec3 from, geometric;
+	double ior;
+} EventPlace;
+
 /* A mirrored direction that bumps sent into the surface is mirrored out of it again. */
-static Vec3 mirror_direction(const Bsdf *bsdf, Vec3 normal)
+static Vec3 mirror_direction(const EventPlace *place, Vec3 normal)
 {
-	Vec3 incoming = vec3_neg(bsdf->from);
+	Vec3 incoming = vec3_neg(place->from);
 	Vec3 out = vec3_reflect(incoming, normal);
-	if (vec3_dot(out, bsdf->geometric) >= 0)
+	if (vec3_dot(out, place->geometric) >= 0)
 		return out;
 	if (vec3_dot(out, normal) < 0)
-		out = vec3_reflect(incoming, bsdf->geometric);
+		out = vec3_reflect(incoming, place->geometric);
 	else
-		out = vec3_reflect(out, bsdf->geometric);
+		out = vec3_reflect(out, place->geometric);
 	return vec3_normalize(out);
 }
 
-static BsdfEvent passage(const Bsdf *bsdf, Transport transport)
+static void passage(const EventPlace *place, Vec3 normal, Rgb through, BsdfEvent *event)
 {
-	BsdfEvent event = {.kind = BSDF_TRANSMIT,
-			   .weight = bsdf->through,
-			   .exponent = 1,
-			   .to = vec3_neg(bsdf->from)};
-	if (fabs(bsdf->ior - 1) < 1e-10)
-		return event;
-	event.bent = true;
+	*event = (BsdfEvent){.kind = BSDF_TRANSMIT,
+			     .weight = through,
+			     .exponent = 1,
+			     .to = vec3_neg(place->from)};
+	if (fabs(place->ior - 1) < 1e-10)
+		return;
+	event->bent = true;
 	/* A normal that bumps turned away from the viewer counts from its other side. */
-	Vec3 normal = bsdf->layers[0].normal;
-	if (vec3_dot(normal, bsdf->from) < 0)
+	if (vec3_dot(normal, place->from) < 0)
 		normal = vec3_neg(normal);
-	event.total = !bsdf_refract(event.to, normal, bsdf->ior, &event.to);
-	if (event.total) { /* all of the light, whatever colour the surface filters with */
-		event.to = mirror_direction(bsdf, normal);
-		event.weight = rgb_all(1);
+	event->total = !bsdf_refract(event->to, normal, place->ior, &event->to);
+	if (event->total) { /* all of the light, whatever colour the surface filters with */
+		event->to = mirror_direction(place, normal);
+		event->weight = rgb_all(1);
 	}
-	/* POV-Ray leaves out the change of radiance with the square of the index, in both
-	 * directions. */
-	(void)transport;
-	return event;
 }
 
+static void mirror(const EventPlace *place, Vec3 normal, Rgb weight, const Finish *finish,
+		   BsdfEvent *event)
+{
+	*event = (BsdfEvent){
+		.kind = BSDF_REFLECT,
+		.weight = weight,
+		.exponent = finish->reflection.exponent,
+		.to = mirror_direction(place, normal),
+	};
+}
+
+/* POV-Ray leaves out the change of radiance with the square of the index, in both directions: a
+ * passage is the same for either transport. */
 int bsdf_events(const Bsdf *bsdf, Transport transport, BsdfEvent out[BSDF_MAX_EVENTS])
 {
+	EventPlace place = {bsdf->from, bsdf->geometric, bsdf->ior};
 	int count = 0;
+	(void)transport;
 	if (bsdf->count && !rgb_is_black(bsdf->through))
-		out[count++] = passage(bsdf, transport);
+		passage(&place, bsdf->layers[0].normal, bsdf->through, &out[count++]);
 	for (int i = 0; i < bsdf->count; i++) {
 		const BsdfLayer *layer = &bsdf->layers[i];
-		Rgb weight = layer->mirror;
 		/* Total reflection is this mirror already. */
 		bool same = count && out[0].total &&
 			    vec3_distance(layer->normal, bsdf->layers[0].normal) < 1e-9;
-		if (!rgb_is_black(weight) && !same)
-			out[count++] = (BsdfEvent){
-				.kind = BSDF_REFLECT,
-				.weight = weight,
-				.exponent = layer->finish->reflection.exponent,
-				.to = mirror_direction(bsdf, layer->normal),
-			};
+		if (!rgb_is_black(layer->mirror) && !same)
+			mirror(&place, layer->normal, layer->mirror, layer->finish, &out[count++]);
 	}
+	return count;
+}
+
+int bsdf_layer_events(const ShadingLayer *layer, Vec3 from, double ior, BsdfEvent out[2])
+{
+	EventPlace place = {from, layer->normal, ior};
+	Rgb mirrored = layer_mirror(layer, from, ior), through = layer_through(layer, mirrored);
+	int count = 0;
+	if (!rgb_is_black(through))
+		passage(&place, layer->normal, through, &out[count++]);
+	if (!rgb_is_black(mirrored) && !(count && out[0].total))
+		mirror(&place, layer->normal, mirrored, layer->finish, &out[count++]);
 	return count;
 }
 

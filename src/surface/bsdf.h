@@ -66,6 +66,7 @@ Rgb bsdf_emission(const Bsdf *bsdf, Rgb ambient_light);
 Rgb bsdf_eval(const Bsdf *bsdf, Vec3 to, bool highlights);
 /* True when eval is black for every direction. */
 bool bsdf_is_delta(const Bsdf *bsdf);
+bool bsdf_finish_is_delta(const Finish *finish);
 /* True when light from the back side (to below the surface) can count. */
 bool bsdf_sees_back(const Bsdf *bsdf);
 
@@ -87,6 +88,8 @@ typedef struct BsdfEvent {
 
 /* The mirrors and the passage through whose weight is not black; returns how many. */
 int bsdf_events(const Bsdf *bsdf, Transport transport, BsdfEvent out[BSDF_MAX_EVENTS]);
+/* The same for a stack of one layer without bumps, by itself: from as in BsdfPlace. */
+int bsdf_layer_events(const ShadingLayer *layer, Vec3 from, double ior, BsdfEvent out[2]);
 /* One way to go on, chosen by u[0] among lobes and events by their weight; u[1], u[2] place a
  * smooth direction. False: the path ends (absorbed). The expectation of weight is the surface's
  * albedo. */

@@ -203,6 +203,12 @@ bool texture_is_dull(const Texture *texture)
 	return true;
 }
 
+bool texture_is_uniform(const Texture *texture)
+{
+	return texture->kind == TEXTURE_PLAIN && !texture->next && !texture->normal &&
+	       texture->pigment->kind == PIGMENT_COLOR;
+}
+
 static bool layer_uses_uv(const Texture *texture)
 {
 	if (texture->kind == TEXTURE_UV)

@@ -160,6 +160,8 @@ bool texture_is_opaque(const Texture *texture);
 /* True when every layer of it has a diffuse part or a highlight, and none reflects. May say
  * false. */
 bool texture_is_dull(const Texture *texture);
+/* True when it is one layer of one colour without bumps, the same everywhere. */
+bool texture_is_uniform(const Texture *texture);
 /* True when some part of it looks at the surface's (u, v). */
 bool texture_uses_uv(const Texture *texture);
 /* The same texture laid out over (u, v), as uv_mapping in an object asks for. */

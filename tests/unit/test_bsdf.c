@@ -185,8 +185,42 @@ static void check_film(void)
 	CHECK(least >= 1.5f && most <= 3.5f && most - least > 0.2f);
 }
 
+static bool events_agree(const BsdfEvent *a, const BsdfEvent *b)
+{
+	return a->kind == b->kind && a->total == b->total && a->bent == b->bent &&
+	       vec3_distance(a->to, b->to) == 0 && a->weight.r == b->weight.r &&
+	       a->weight.g == b->weight.g && a->weight.b == b->weight.b &&
+	       a->exponent == b->exponent;
+}
+
+/* One layer asked by itself says what a stack of one says, bit for bit. */
+static void check_layer_events(void)
+{
+	for (uint64_t i = 0; i < 2000; i++) {
+		Finish finish = finish_of(i & 1 ? 0 : 0.4f);
+		Vec3 from = sphere_direction(i);
+		float share = (float)random_uniform(3, i, 0);
+		finish.reflection.fresnel = i & 2;
+		finish.conserve_energy = i & 4;
+		finish.reflection.metallic = i & 8 ? 0.7f : 0;
+		finish.reflection.max = i & 16 ? rgb(1, 0.8f, share) : rgb_all(0);
+		ShadingLayer layer = {{0.9f, share, 0.5f, i & 32 ? 0.8f : 0, i & 64 ? 0.2f : 0},
+				      {0, 0, 1}, &finish};
+		double ior = i & 128 ? 1 : i & 256 ? 1.5 : 1 / 1.5;
+		from.z = fabs(from.z);
+		Bsdf bsdf = bsdf_of(&layer, 1, from, ior);
+		BsdfEvent whole[BSDF_MAX_EVENTS], own[2];
+		int count = bsdf_events(&bsdf, TRANSPORT_FLUX, whole);
+		CHECK(bsdf_layer_events(&layer, bsdf.from, ior, own) == count);
+		for (int k = 0; k < count; k++)
+			CHECK(events_agree(&own[k], &whole[k]));
+		CHECK(bsdf_finish_is_delta(&finish) == bsdf_is_delta(&bsdf));
+	}
+}
+
 int main(void)
 {
+	check_layer_events();
 	check_film();
 	check_pdf();
 	check_energy();
