@@ -5,7 +5,9 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/mman.h>
 
+enum { CACHE_LINE = 64, LARGE_PAGE = 1 << 21 };
 enum { ALIGNMENT = 16, FIRST_BLOCK = 1 << 16, LARGEST_BLOCK = 1 << 24 };
 
 typedef struct Block Block;
@@ -32,6 +34,18 @@ static void *or_die(void *memory)
 void *memory_alloc(size_t size)
 {
 	return or_die(malloc(size ? size : 1));
+}
+
+void *memory_alloc_wide(size_t size)
+{
+	size_t unit = size < LARGE_PAGE ? CACHE_LINE : LARGE_PAGE;
+	size = (size + unit - (size > 0)) / unit * unit;
+	void *memory = or_die(aligned_alloc(unit, size));
+#ifdef MADV_HUGEPAGE
+	if (unit == LARGE_PAGE)
+		madvise(memory, size, MADV_HUGEPAGE);
+#endif
+	return memory;
 }
 
 void *memory_resize(void *old, size_t size)

@@ -35,5 +35,7 @@ size_t arena_bytes(const Arena *arena);          /* bytes held from the system *
 /* malloc and friends that end the program when memory runs out. */
 void *memory_alloc(size_t size);
 void *memory_resize(void *old, size_t size);
+/* For large arrays: aligned to a cache line, in large pages where the system has them. */
+void *memory_alloc_wide(size_t size);
 
 #endif

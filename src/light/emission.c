@@ -26,6 +26,37 @@ static double reach_of(const EmissionAim *aim)
 	return aim->reach > 0 ? aim->reach : 1;
 }
 
+/* The rectangle of the plane along one of the box's sides that covers the box; false when the side
+ * is seen end on. */
+static bool rectangle_along(const Vec2 sides[3], int along, EmissionRegion *region)
+{
+	double length = hypot(sides[along].u, sides[along].v), a = 0, b = 0;
+	if (!(length > 0))
+		return false;
+	Vec2 to = {sides[along].u / length, sides[along].v / length};
+	for (int i = 0; i < 3; i++) {
+		a += fabs(sides[i].u * to.u + sides[i].v * to.v);
+		b += fabs(sides[i].v * to.u - sides[i].u * to.v);
+	}
+	region->side = (Vec2){a * to.u, a * to.v};
+	region->across = (Vec2){-b * to.v, b * to.u};
+	region->measure = 4 * a * b;
+	return true;
+}
+
+/* Takes the least rectangle that covers the box's shadow where that is less than the disc. */
+static void try_rectangles(const EmissionAim *aim, EmissionRegion *region)
+{
+	Vec3 u = region->u, v = region->v, h = aim->half;
+	Vec2 sides[3] = {{h.x * u.x, h.x * v.x}, {h.y * u.y, h.y * v.y}, {h.z * u.z, h.z * v.z}};
+	for (int i = 0; i < 3; i++) {
+		EmissionRegion other = *region;
+		other.rectangle = true;
+		if (rectangle_along(sides, i, &other) && other.measure < region->measure)
+			*region = other;
+	}
+}
+
 /* The disc of the light's plane that the ball throws its shadow on; a cylinder light's own disc
  * when that is smaller. Paths start before the ball even where the light's plane cuts it. */
 static EmissionRegion disc_region(const Light *light, const EmissionAim *aim)
@@ -45,6 +76,8 @@ static EmissionRegion disc_region(const Light *light, const EmissionAim *aim)
 	region.middle = (Vec2){vec3_dot(from, region.u), vec3_dot(from, region.v)};
 	region.origin = vec3_mad(region.origin, real_min(along - aim->radius, 0), region.axis);
 	region.measure = M_PI * region.radius * region.radius;
+	if (!region.own && reach_of(aim) >= 1)
+		try_rectangles(aim, &region);
 	return region;
 }
 
@@ -119,9 +152,9 @@ static Vec3 area_origin(const Light *light, const EmissionAim *aim, const double
 	return area_point(light, &frame, s[0] * (light->size1 - 1), s[1] * (light->size2 - 1));
 }
 
-static Emission sample_disc(const EmissionRegion *region, Vec2 disc)
+/* At a point of the plane, from the region's middle. */
+static Emission sample_plane(const EmissionRegion *region, double u, double v)
 {
-	double u = region->radius * disc.u, v = region->radius * disc.v;
 	return (Emission){
 		.origin = vec3_mad(vec3_mad(region->origin, u, region->u), v, region->v),
 		.direction = region->axis,
@@ -149,12 +182,19 @@ static Emission sample_cap(const EmissionRegion *region, Vec2 disc)
 
 Emission emission_from_disc(const EmissionRegion *region, Vec2 disc)
 {
-	return region->plane ? sample_disc(region, disc) : sample_cap(region, disc);
+	return region->plane ? sample_plane(region, region->radius * disc.u,
+					    region->radius * disc.v)
+			     : sample_cap(region, disc);
 }
 
 Emission emission_sample(const Light *light, const EmissionAim *aim, const EmissionRegion *region,
 			 const double s[4])
 {
+	if (region->rectangle) {
+		double a = 2 * s[0] - 1, b = 2 * s[1] - 1;
+		return sample_plane(region, a * region->side.u + b * region->across.u,
+				    a * region->side.v + b * region->across.v);
+	}
 	Vec2 disc = concentric_disc(s[0], s[1]);
 	if (region->plane || !emission_takes_point(light))
 		return emission_from_disc(region, disc);

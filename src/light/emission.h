@@ -29,17 +29,20 @@ typedef struct EmissionAim {
 	Vec3 center;
 	double radius;
 	double reach; /* share of the ball's disc or cap, from its middle, shot at; 0: all */
+	Vec3 half;    /* sides, halved, of the box around the target; 0: it fills the ball */
 } EmissionAim;
 
-/* The part of the emitter's parameter space that may reach the target: a disc of the plane, or a
- * cap of directions. */
+/* The part of the emitter's parameter space that may reach the target: a disc or a rectangle of the
+ * plane, or a cap of directions. */
 typedef struct EmissionRegion {
 	bool plane;
+	bool rectangle;   /* from -side - across to side + across, about the middle */
 	bool own;         /* the light's own disc or cone, narrower than what covers the ball */
 	Vec3 origin;      /* the disc's centre, moved back to before the ball, or the cap's apex */
 	Vec3 axis, u, v;  /* axis: where the light goes, or the cap's middle */
 	double radius;    /* disc */
-	Vec2 middle;      /* of the disc: emitter coordinates */
+	Vec2 side, across; /* rectangle: emitter coordinates */
+	Vec2 middle;      /* of the disc or rectangle: emitter coordinates */
 	double rise;      /* cap: 1 - cosine of the half angle, 0..2 */
 	double measure;   /* area, or solid angle */
 } EmissionRegion;
@@ -64,7 +67,7 @@ Emission emission_sample(const Light *light, const EmissionAim *aim, const Emiss
 			 const double s[4]);
 
 /* The same for a point of the unit disc, from the light's own position; the cap's or disc's edge is
- * at radius 1. */
+ * at radius 1. Not for rectangles. */
 Emission emission_from_disc(const EmissionRegion *region, Vec2 disc);
 
 /* The flux of a path that stands for `share` of its region (1/number of paths), when it first lands

@@ -1,6 +1,7 @@
 #include "photon/aim.h"
 
 #include <math.h>
+#include <string.h>
 
 #include "base/random.h"
 #include "geom/sphere.h"
@@ -28,7 +29,7 @@ static void find_target(void *data, const Surface *surface)
 static EmissionAim ball_around(Box3 box)
 {
 	Vec3 center = vec3_scale(vec3_add(box.lo, box.hi), 0.5);
-	return (EmissionAim){center, vec3_distance(center, box.hi), 1};
+	return (EmissionAim){.center = center, .radius = vec3_distance(center, box.hi), .reach = 1};
 }
 
 /* A ball of its own kind is its own bound; its box has three times the ball's cross-section. */
@@ -106,6 +107,7 @@ static PhotonAim make_aim(const Scene *scene, int light, const Target *target, u
 		aim.shift[k] = random_uniform(seed, sequence, k);
 	aim.region = emission_region(&scene->lights[light], &aim.ball);
 	aim.ball.reach = photon_autostop(scene, &aim);
+	aim.ball.half = vec3_scale(vec3_sub(target->box.hi, target->box.lo), 0.5);
 	aim.region = emission_region(&scene->lights[light], &aim.ball);
 	find_inside(scene, scene->lights[light].position, &aim.inside);
 	return aim;
@@ -132,12 +134,14 @@ bool photon_aim_hits(const PhotonAim *aim, const Emission *emission)
 
 static const uint64_t HALTON_SKIP = 1; /* index 0 is a corner in every dimension */
 
-double photon_halton(const PhotonAim *aim, const PhotonTraceOptions *options, uint64_t path,
-		     int dimension)
+/* A coordinate of Halton points from number `index` on, shifted by the seed, in [0, 1). */
+static void halton_run(const PhotonAim *aim, uint64_t index, int dimension, int count, double *out)
 {
-	uint64_t index = options->pass * aim->paths + path + HALTON_SKIP;
-	double number = random_halton(index, dimension) + aim->shift[dimension];
-	return number - (number >= 1);
+	random_halton_run(index, dimension, count, out);
+	for (int i = 0; i < count; i++) {
+		double number = out[i] + aim->shift[dimension];
+		out[i] = number - (number >= 1);
+	}
 }
 
 /* POV-Ray's jitter breaks the pattern of its photons: by at most half of it, as a share of the
@@ -151,46 +155,68 @@ static void jitter(const Scene *scene, const PhotonAim *aim, uint64_t number, do
 	}
 }
 
-void photon_emissions(const Scene *scene, const PhotonAim *aim, const PhotonTraceOptions *options,
-		      uint64_t path, int count, Emission *out)
+static void start_emissions(const Scene *scene, const PhotonAim *aim, uint64_t index, int count,
+			    Emission *out)
 {
-	double numbers[AIM_EMISSION_DIMENSIONS][PHOTON_EMISSIONS_MAX] = {0};
+	double numbers[AIM_EMISSION_DIMENSIONS][PHOTON_STARTS_MAX];
 	const Light *light = &scene->lights[aim->light];
-	uint64_t index = options->pass * aim->paths + path + HALTON_SKIP;
 	int dimensions = emission_takes_point(light) ? 4 : 2;
 	for (int k = 0; k < dimensions; k++)
-		random_halton_run(index, k, count, numbers[k]);
+		halton_run(aim, index, k, count, numbers[k]);
 	bool jitters = scene->settings.photons.jitter > 0 && aim->paths > 0;
 	for (int i = 0; i < count; i++) {
 		double s[AIM_EMISSION_DIMENSIONS] = {0};
-		for (int k = 0; k < dimensions; k++) {
-			s[k] = numbers[k][i] + aim->shift[k];
-			s[k] -= s[k] >= 1;
-		}
+		for (int k = 0; k < dimensions; k++)
+			s[k] = numbers[k][i];
 		if (jitters)
 			jitter(scene, aim, index - HALTON_SKIP + (uint64_t)i, s);
 		out[i] = emission_sample(light, &aim->ball, &aim->region, s);
 	}
 }
 
+void photon_starts(const Scene *scene, const PhotonAim *aim, const PhotonTraceOptions *options,
+		   uint64_t path, int count, PhotonStarts *out)
+{
+	out->aim = aim;
+	out->index = options->pass * aim->paths + path + HALTON_SKIP;
+	out->count = count;
+	memset(out->filled, 0, sizeof out->filled);
+	start_emissions(scene, aim, out->index, count, out->emissions);
+}
+
+double photon_start_number(PhotonStarts *starts, int start, int dimension)
+{
+	double *row = starts->later[dimension];
+	if (!starts->filled[dimension])
+		halton_run(starts->aim, starts->index, dimension, starts->count, row);
+	starts->filled[dimension] = true;
+	return row[start];
+}
+
 /* The share of paths at the ball that meet the box. */
 static double box_share(const Scene *scene, const PhotonAim *aim)
 {
-	enum { TRIES = 8 * PHOTON_EMISSIONS_MAX };
-	PhotonTraceOptions options = {0};
-	Emission emissions[PHOTON_EMISSIONS_MAX];
+	enum { TRIES = 8 * PHOTON_STARTS_MAX };
+	Emission emissions[PHOTON_STARTS_MAX];
 	int met = 0;
-	for (uint64_t first = 0; first < TRIES; first += PHOTON_EMISSIONS_MAX) {
-		photon_emissions(scene, aim, &options, first, PHOTON_EMISSIONS_MAX, emissions);
-		for (int i = 0; i < PHOTON_EMISSIONS_MAX; i++)
+	for (uint64_t first = 0; first < TRIES; first += PHOTON_STARTS_MAX) {
+		start_emissions(scene, aim, first + HALTON_SKIP, PHOTON_STARTS_MAX, emissions);
+		for (int i = 0; i < PHOTON_STARTS_MAX; i++)
 			met += photon_aim_hits(aim, &emissions[i]);
 	}
 	return fmax(met, 1) / TRIES;
 }
 
+/* Of the disc that the ball is seen as, or the rectangle. */
+static double aimed_area(const PhotonAim *aim)
+{
+	double radius = aim->ball.radius * aim->ball.reach;
+	return aim->region.rectangle ? aim->region.measure : M_PI * radius * radius;
+}
+
 /*
- * With `spacing` a target's ball gets one path per spacing squared of its disc. With `count` that
- * many paths at the boxes are shared out by the same measure. Lights take `share` times as many.
+ * With `spacing` a target gets one path per spacing squared of its disc. With `count` that many
+ * paths at the boxes are shared out by the same measure. Lights take `share` times as many.
  */
 static void share_out(const Scene *scene, PhotonAims *aims, const double *density,
 		      const PhotonTraceOptions *options)
@@ -198,14 +224,12 @@ static void share_out(const Scene *scene, PhotonAims *aims, const double *densit
 	const PhotonSettings *settings = &scene->settings.photons;
 	double total = 0,
 	       count = (double)(options->count ? options->count : (uint64_t)settings->count);
-	for (int i = 0; i < aims->count; i++) {
-		double radius = aims->aims[i].ball.radius * aims->aims[i].ball.reach;
-		total += M_PI * radius * radius * density[i] * box_share(scene, &aims->aims[i]);
-	}
+	for (int i = 0; i < aims->count; i++)
+		total += aimed_area(&aims->aims[i]) * density[i] *
+			 box_share(scene, &aims->aims[i]);
 	for (int i = 0; i < aims->count; i++) {
 		PhotonAim *aim = &aims->aims[i];
-		double radius = aim->ball.radius * aim->ball.reach;
-		double disc = M_PI * radius * radius * density[i];
+		double disc = aimed_area(aim) * density[i];
 		double paths = count > 0 ? count * disc / total
 					 : disc / (settings->spacing > 0
 							   ? settings->spacing * settings->spacing

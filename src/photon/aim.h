@@ -36,16 +36,25 @@ typedef struct PhotonAims {
 /* In the arena. Unbounded targets are left out. */
 PhotonAims photon_aims(const Scene *scene, const PhotonTraceOptions *options, Arena *arena);
 
-/* A coordinate of the Halton point of a path, shifted by the seed, in [0, 1). */
-double photon_halton(const PhotonAim *aim, const PhotonTraceOptions *options, uint64_t path,
-		     int dimension);
+enum { PHOTON_STARTS_MAX = 64 };
 
-enum { PHOTON_EMISSIONS_MAX = 64 };
+/* Where some paths start: emissions, made of the first coordinates of their Halton points, and the
+ * later coordinates, by dimension, as far as they have been asked for. */
+typedef struct PhotonStarts {
+	Emission emissions[PHOTON_STARTS_MAX];
+	double later[AIM_DIMENSIONS][PHOTON_STARTS_MAX];
+	bool filled[AIM_DIMENSIONS];
+	const PhotonAim *aim;
+	uint64_t index; /* of the first path's Halton point */
+	int count;
+} PhotonStarts;
 
-/* The emissions of an aim's paths from number `path` on, at most PHOTON_EMISSIONS_MAX of them: the
- * first coordinates of their Halton points. */
-void photon_emissions(const Scene *scene, const PhotonAim *aim, const PhotonTraceOptions *options,
-		      uint64_t path, int count, Emission *out);
+/* The starts of an aim's paths from number `path` on, at most PHOTON_STARTS_MAX of them. */
+void photon_starts(const Scene *scene, const PhotonAim *aim, const PhotonTraceOptions *options,
+		   uint64_t path, int count, PhotonStarts *out);
+/* A later coordinate of a start's Halton point, shifted by the seed, in [0, 1); the starts remember
+ * it for their other paths. */
+double photon_start_number(PhotonStarts *starts, int start, int dimension);
 /* Whether a ray meets the target's box. */
 bool photon_aim_hits(const PhotonAim *aim, const Emission *emission);
 /* Whether the light shines on the surface at all (light groups). */

@@ -59,8 +59,9 @@ void photon_map_index(PhotonMap *map, float emitter_weight)
 	photon_tree_destroy(map->tree);
 	TreePoints points = {
 		.count = map->count, .stride = sizeof(Photon), .emitter_weight = emitter_weight};
-	if (map->count > 0) {
+	if (map->count > 0)
 		points.position = map->photons->position;
+	if (map->count > 0 && emitter_weight > 0) {
 		points.emitter = map->photons->emitter;
 		points.light = &map->photons->light;
 	}

@@ -43,8 +43,9 @@ typedef struct PhotonMap {
 
 PhotonMap *photon_map_create(void);
 void photon_map_destroy(PhotonMap *map); /* NULL is allowed */
-/* Builds the tree. emitter_weight as in TreePoints. Photons may be moved (relaxation) and indexed
- * again. */
+/* Builds the tree. emitter_weight as in TreePoints; with 0 the tree is over positions alone, and
+ * its queries know no emitter range (relaxation has trees of its own). Photons may be moved
+ * (relaxation) and indexed again. */
 void photon_map_index(PhotonMap *map, float emitter_weight);
 
 /* PLY, binary little-endian, one vertex a photon, every field a named property, constraints too.

@@ -34,13 +34,13 @@ typedef struct Path {
 	const Scene *scene;
 	const Light *light;
 	const PhotonAim *aim;
-	const PhotonTraceOptions *options;
 	PhotonBuffer *out;
 	double share;        /* of the aim's region that a path stands for */
 	float bailout;
 	int most_levels;
 
-	const Emission *emission;
+	PhotonStarts starts; /* of this path and its neighbours */
+	int at;              /* this path's place among the starts */
 	Sampler sampler;
 	Ray ray;
 	Rgb flux;
@@ -49,12 +49,16 @@ typedef struct Path {
 	double length;       /* so far */
 	double first_length, first_distance; /* at the first hit: of the path, and from the light */
 	double hue;          /* 0.5 for white light */
-	uint64_t number;
 	bool colored;
 	int edges; /* of the path so far; what POV-Ray counts as its levels */
 	uint16_t kind;       /* hash of the way so far */
 	InsideStack inside;
 } Path;
+
+static const Emission *emission_of(const Path *path)
+{
+	return &path->starts.emissions[path->at];
+}
 
 /* Until it has met its target, a path goes straight through what is told to let it. */
 static bool passes_by(const Path *path, const Surface *surface)
@@ -100,7 +104,7 @@ static uint16_t way_of(unsigned before, int object, uint64_t face)
 
 static void store(Path *path, const Hit *hit, Vec3 p, Vec3 normal)
 {
-	const float *emitter = path->emission->coordinates;
+	const float *emitter = emission_of(path)->coordinates;
 	const Surface *surface = hit->shape->owner;
 	double farther = path->first_distance + path->length - path->first_length;
 	double growth = emission_growth(path->light, path->first_distance, farther);
@@ -146,9 +150,9 @@ static const ShadingStack *choose_stack(Path *path, const Shading *shading)
 }
 
 /* A later coordinate of the Halton point that the path started with. */
-static double halton_number(const Path *path, int dimension)
+static double halton_number(Path *path, int dimension)
 {
-	return photon_halton(path->aim, path->options, path->number, dimension);
+	return photon_start_number(&path->starts, path->at, dimension);
 }
 
 /* What the choice at this surface is made by. */
@@ -292,7 +296,7 @@ static bool lands_on_target(Path *path, const Surface *surface, Vec3 p)
 {
 	if (surface->id != path->aim->target)
 		return false;
-	path->flux = emission_flux(path->light, path->emission, p, path->share,
+	path->flux = emission_flux(path->light, emission_of(path), p, path->share,
 				   &path->first_distance);
 	path->flux = rgb_mul(path->flux, path->tint);
 	path->first_length = path->length;
@@ -402,10 +406,10 @@ static void follow(Path *path)
 	statistics->absorbed_flux += rgb_gray(path->flux);
 }
 
-static void begin(Path *path, const Emission *emission, uint64_t number)
+static void begin(Path *path, int at, uint64_t number)
 {
-	path->emission = emission;
-	path->number = number;
+	path->at = at;
+	const Emission *emission = emission_of(path);
 	path->sampler.index = path->aim->first + number;
 	path->sampler.dimension = 0;
 	path->ray = (Ray){emission->origin, emission->direction, 0, INFINITY};
@@ -437,22 +441,20 @@ void photon_paths(const Scene *scene, const PhotonAim *aim, const PhotonTraceOpt
 	path.scene = scene;
 	path.light = &scene->lights[aim->light];
 	path.aim = aim;
-	path.options = options;
 	path.out = out;
 	path.share = 1.0 / (double)aim->paths;
 	path.bailout = bailout_of(&scene->settings);
 	path.most_levels = most_levels(&scene->settings);
 	path.sampler.seed = random_bits(options->seed, options->pass, 1);
 	out->statistics.paths += count;
-	for (uint64_t done = 0; done < count; done += PHOTON_EMISSIONS_MAX) {
-		Emission emissions[PHOTON_EMISSIONS_MAX];
+	for (uint64_t done = 0; done < count; done += PHOTON_STARTS_MAX) {
 		uint64_t left = count - done;
-		int some = left < PHOTON_EMISSIONS_MAX ? (int)left : PHOTON_EMISSIONS_MAX;
-		photon_emissions(scene, aim, options, first + done, some, emissions);
+		int some = left < PHOTON_STARTS_MAX ? (int)left : PHOTON_STARTS_MAX;
+		photon_starts(scene, aim, options, first + done, some, &path.starts);
 		for (int i = 0; i < some; i++) {
-			if (!photon_aim_hits(aim, &emissions[i]))
+			if (!photon_aim_hits(aim, &path.starts.emissions[i]))
 				continue;
-			begin(&path, &emissions[i], first + done + (uint64_t)i);
+			begin(&path, i, first + done + (uint64_t)i);
 			follow(&path);
 		}
 	}

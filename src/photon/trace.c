@@ -7,9 +7,9 @@
 #include "base/parallel.h"
 #include "photon/path.h"
 
-/* Paths are traced in chunks, and some chunks at a time: each of these has a buffer of its own, and
- * buffers are joined in order and used again, so that they stay in the caches. */
-enum { CHUNK = 2048, ROUND = 64 };
+/* Paths are traced in chunks, and some chunks a thread at a time: each of these has a buffer of its
+ * own, and buffers are joined in order and used again, so that they stay in the caches. */
+enum { CHUNK = 2048, ROUND_OF_THREAD = 8 };
 
 typedef struct Chunk {
 	const PhotonAim *aim;
@@ -21,7 +21,8 @@ typedef struct Job {
 	const PhotonTraceOptions *options;
 	Chunk *chunks;
 	long count, done;
-	PhotonBuffer buffers[ROUND];
+	PhotonBuffer *buffers;
+	long round; /* how many */
 } Job;
 
 static bool stopped(const PhotonTraceOptions *options)
@@ -90,9 +91,9 @@ static PhotonMap *trace_rounds(Job *job, uint64_t paths, PhotonStatistics *stati
 {
 	PhotonMap *map = photon_map_create();
 	size_t capacity = (size_t)(paths < ROOM_AT_FIRST ? paths + 1 : ROOM_AT_FIRST);
-	map->photons = memory_alloc(sizeof(Photon) * capacity);
+	map->photons = memory_alloc_wide(sizeof(Photon) * capacity);
 	while (job->done < job->count && !stopped(job->options)) {
-		long left = job->count - job->done, some = left < ROUND ? left : ROUND;
+		long left = job->count - job->done, some = left < job->round ? left : job->round;
 		parallel_for(some, 1, trace_chunk, job);
 		for (long i = 0; i < some; i++) {
 			append_photons(map, &job->buffers[i], &capacity);
@@ -134,12 +135,14 @@ PhotonMap *photon_trace(const Scene *scene, const PhotonTraceOptions *options,
 	Arena *arena = arena_create();
 	PhotonAims aims = photon_aims(scene, options, arena);
 	Job job = {.scene = scene, .options = options};
+	job.round = (long)parallel_threads() * ROUND_OF_THREAD;
+	job.buffers = ARENA_ARRAY(arena, PhotonBuffer, job.round);
 	cut_chunks(&job, &aims, arena);
 	PhotonMap *map = trace_rounds(&job, aims.paths, &own);
 	note_lights(map, scene, &aims);
 	if (!scene->settings.photons.emitter_coordinates)
 		forget_emitters(map);
-	for (int i = 0; i < ROUND; i++)
+	for (long i = 0; i < job.round; i++)
 		free(job.buffers[i].photons);
 	if (stopped(options)) {
 		photon_map_destroy(map);

@@ -5,7 +5,6 @@
 #include <stdbool.h>
 #include <stdlib.h>
 #include <string.h>
-#include <sys/mman.h>
 
 #include "base/arena.h"
 
@@ -14,22 +13,10 @@ static const float *row(const float *base, uint32_t stride, uint32_t i)
 	return (const float *)((const char *)base + (size_t)stride * i);
 }
 
-enum { LARGE_PAGE = 1 << 21 };
-
-/* Large arrays are asked for in large pages: queries jump about, and would miss small pages'
- * table entries. */
+/* Queries jump about, and would miss small pages' table entries. */
 void *tree_alloc(size_t count, size_t size)
 {
-	size_t bytes = count * size, unit = bytes < LARGE_PAGE ? 64 : LARGE_PAGE;
-	bytes = (bytes + unit - 1) / unit * unit;
-	void *memory = aligned_alloc(unit, bytes);
-	if (!memory)
-		memory_alloc(SIZE_MAX / 2); /* ends the program with the usual message */
-#ifdef MADV_HUGEPAGE
-	if (unit == LARGE_PAGE)
-		madvise(memory, bytes, MADV_HUGEPAGE);
-#endif
-	return memory;
+	return memory_alloc_wide(count * size);
 }
 
 static void clear_boxes(TreeBoxes *boxes)

@@ -70,10 +70,15 @@ static void fill_values(TreeLeaf *leaf, int32_t *const *columns, const int32_t *
 			uint32_t count)
 {
 	for (uint32_t i = 0; i < TREE_WIDTH; i++)
-		leaf->index[i] = i < count ? (uint32_t)numbers[i] : 0;
+		leaf->index[i] = (uint32_t)numbers[i];
 	for (int k = 0; k < 3; k++) {
+#pragma omp simd
 		for (uint32_t i = 0; i < TREE_WIDTH; i++)
-			leaf->at[k][i] = i < count ? tree_value(columns[k][i]) : INFINITY;
+			leaf->at[k][i] = tree_value(columns[k][i]);
+	}
+	for (uint32_t i = count; i < TREE_WIDTH; i++) {
+		leaf->index[i] = 0;
+		leaf->at[0][i] = leaf->at[1][i] = leaf->at[2][i] = INFINITY;
 	}
 }
 

@@ -84,17 +84,13 @@ static void visit_surface(void *data, const Surface *surface)
 		add_row(creation, surface->estimator, surface->estimator);
 }
 
-/* How far emitter coordinates count when the tree is built: enough to keep a light's photons
- * together, too little to spread neighbours in the world over many leaves. */
-static const float EMITTER_WEIGHT = 0;
-
 Caustics *caustics_create(const Scene *scene, PhotonMap *map, const CausticOptions *options,
 			  CausticTimes *times, Diag *diag)
 {
 	Caustics *caustics = memory_alloc(sizeof *caustics);
 	*caustics = (Caustics){.map = map};
 	double start = clock_wall();
-	photon_map_index(map, EMITTER_WEIGHT);
+	photon_map_index(map, 0); /* estimators ask for neighbours in the world */
 	double indexed = clock_wall();
 	Creation creation = {
 		caustics,

@@ -1,5 +1,6 @@
 /* What lights send, against closed forms. */
 #include "light/area.h"
+#include "light/emission.h"
 #include "light/light.h"
 
 #include "check.h"
@@ -112,8 +113,44 @@ static void check_area(void)
 	CHECK_NEAR(vec3_length(frame.axis1), 4, 1e-9);
 }
 
+/* How far along a rectangle's side a point of the plane lies: from -1 to 1 inside. */
+static double share_along(Vec2 at, Vec2 side)
+{
+	return (at.u * side.u + at.v * side.v) / (side.u * side.u + side.v * side.v);
+}
+
+/* A parallel light's rectangle holds the shadow of every corner, is less than the disc around it,
+ * and emissions fill it. */
+static void check_rectangle(void)
+{
+	Light light = light_at(vec3(3, 10, -2));
+	light.parallel = true;
+	EmissionAim aim = {.center = {1, 2, 3}, .half = {4, 0.5, 2}};
+	aim.radius = vec3_length(aim.half);
+	EmissionRegion region = emission_region(&light, &aim);
+	CHECK(region.rectangle && region.measure < 0.7 * PI * aim.radius * aim.radius);
+	for (int i = 0; i < 8; i++) {
+		Vec3 corner = vec3(i & 1 ? 4 : -4, i & 2 ? 0.5 : -0.5, i & 4 ? 2 : -2);
+		Vec2 at = {vec3_dot(corner, region.u), vec3_dot(corner, region.v)};
+		CHECK(fabs(share_along(at, region.side)) < 1 + 1e-12);
+		CHECK(fabs(share_along(at, region.across)) < 1 + 1e-12);
+	}
+	double most = 0;
+	for (int i = 0; i < 1000; i++) {
+		double s[4] = {i / 1000.0, i * 0.618 - floor(i * 0.618)};
+		Emission emission = emission_sample(&light, &aim, &region, s);
+		Vec2 at = {emission.coordinates[0] - region.middle.u,
+			   emission.coordinates[1] - region.middle.v};
+		double a = share_along(at, region.side), b = share_along(at, region.across);
+		CHECK(fabs(a) < 1 + 1e-6 && fabs(b) < 1 + 1e-6);
+		most = fmax(most, fmin(a, b));
+	}
+	CHECK(most > 0.95);
+}
+
 int main(void)
 {
+	check_rectangle();
 	check_point_light();
 	check_flux();
 	check_spot();
