@@ -145,7 +145,8 @@ static void check_rectangle(void)
 		CHECK(fabs(a) < 1 + 1e-6 && fabs(b) < 1 + 1e-6);
 		most = fmax(most, fmin(a, b));
 	}
-	CHECK(most > 0.95);
+	/* A thousand points come about as near to the corner as 2 / sqrt(1000). */
+	CHECK(most > 0.9);
 }
 
 int main(void)
