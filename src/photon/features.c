@@ -19,6 +19,7 @@
 
 #include "base/arena.h"
 #include "photon/relax_forest.h"
+#include "photon/relax_gradient.h"
 
 FeatureAxes feature_axes(const double (*points)[2], int count, double radius)
 {
@@ -117,31 +118,37 @@ static int flatten(const RelaxSet *set, uint32_t i, Vec3 u, Vec3 v, const Neighb
 	return count;
 }
 
-static void set_basis(RelaxBasis *basis, Vec3 u, Vec3 v, double v_length)
+static void put(float to[3], Vec3 v)
 {
-	*basis = (RelaxBasis){{(float)u.x, (float)u.y, (float)u.z},
-			      {(float)v.x, (float)v.y, (float)v.z},
-			      (float)v_length};
+	to[0] = (float)v.x;
+	to[1] = (float)v.y;
+	to[2] = (float)v.z;
+}
+
+static void find_basis(const RelaxSet *set, uint32_t i, const Neighbor *near, int found,
+		       RelaxBasis *basis)
+{
+	const float *n = set->points[i].normal;
+	double flat[found + 1][2], radius = sqrt(photon_tree_farthest(near, found));
+	Vec3 axes[2], normal = vec3_normalize(vec3(n[0], n[1], n[2]));
+	vec3_frame(normal, &axes[0], &axes[1]);
+	int count = flatten(set, i, axes[0], axes[1], near, found, flat);
+	FeatureAxes features = feature_axes((const double (*)[2])flat, count, radius);
+	Vec3 along = vec3_add(vec3_scale(axes[0], features.u[0]),
+			      vec3_scale(axes[1], features.u[1]));
+	put(basis->u, along);
+	put(basis->v, vec3_cross(normal, along));
+	basis->v_length = (float)feature_freedom(features.l2, radius > 0 ? count : 0);
+	put(basis->gradient, relax_gradient(set, i, near, found, axes, radius));
 }
 
 static void basis_run(RelaxSet *set, uint32_t first, uint32_t end, void *data)
 {
 	const FeatureJob *job = data;
 	Neighbor near[job->count + 1 + 8 * TREE_SLACK];
-	double flat[job->count + 1][2];
 	for (uint32_t i = first; i < end; i++) {
-		const RelaxPoint *point = &set->points[i];
 		int found = relax_forest_nearest(job->forest, i, job->count + 1, near);
-		Vec3 u, v,
-			normal = vec3_normalize(
-				vec3(point->normal[0], point->normal[1], point->normal[2]));
-		vec3_frame(normal, &u, &v);
-		int count = flatten(set, i, u, v, near, found, flat);
-		double radius = sqrt(photon_tree_farthest(near, found));
-		FeatureAxes axes = feature_axes((const double (*)[2])flat, count, radius);
-		Vec3 along = vec3_add(vec3_scale(u, axes.u[0]), vec3_scale(v, axes.u[1]));
-		set_basis(&set->bases[i], along, vec3_cross(normal, along),
-			  feature_freedom(axes.l2, radius > 0 ? count : 0));
+		find_basis(set, i, near, found, &set->bases[i]);
 	}
 }
 

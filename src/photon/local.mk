@@ -8,4 +8,5 @@ libphoton_a_SOURCES = src/photon/photon.c src/photon/photon.h src/photon/map.c s
 	src/photon/tree_cut.h src/photon/tree_cut_avx2.c src/photon/tree_cut_plain.c src/photon/relax.h \
 	src/photon/relax.c src/photon/relax_set.c src/photon/relax_set.h \
 	src/photon/relax_forest.c src/photon/relax_forest.h src/photon/features.c src/photon/features.h \
+	src/photon/relax_gradient.c src/photon/relax_gradient.h \
 	src/photon/relax_scene.c

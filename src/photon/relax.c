@@ -8,8 +8,9 @@
  * change places; and under constraints a neighbour pushes by the light it has in common with the
  * photon, the product of their fluxes, colour by colour. What is seen is the noise of flux, not of
  * photons: bright ones must lie evenly among themselves, whatever the dim ones between them do,
- * and red ones need not make way for blue ones. Photons of equal flux push as in eq. 8. Plain
- * relaxation is left as published.
+ * and red ones need not make way for blue ones. Photons of equal flux push as in eq. 8. And the
+ * push from dense to thin that the sheet's map tells is taken off (relax_gradient.h), else
+ * relaxation blurs what it should keep. Plain relaxation is left as published.
  */
 #include "photon/relax.h"
 
@@ -20,6 +21,7 @@
 #include "base/arena.h"
 #include "base/clock.h"
 #include "photon/features.h"
+#include "photon/relax_gradient.h"
 
 #if defined(__x86_64__) && defined(__GNUC__) && !defined(__SANITIZE_ADDRESS__)
 #define CLONES __attribute__((target_clones("avx2", "default")))
@@ -166,6 +168,8 @@ CLONES static void step_run(RelaxSet *set, uint32_t first, uint32_t end, void *d
 	for (uint32_t i = first; i < end; i++) {
 		const RelaxPoint *point = &set->points[i];
 		Force f = force_on(set, i, work->neighbors);
+		if (set->bases)
+			relax_gradient_resist(set->bases[i].gradient, f.radius, f.at);
 		constrain(set, i, &f);
 		limit(&f);
 		stay(point, &work->steps[i]);

@@ -21,10 +21,11 @@ typedef struct RelaxPoint {
 
 /*
  * How a photon may move: freely along u, by v_length of the force along v; both unit and tangent
- * to the surface.
+ * to the surface. gradient: of its sheet's density, relative (relax_gradient.h).
  */
 typedef struct RelaxBasis {
 	float u[3], v[3], v_length;
+	float gradient[3];
 } RelaxBasis;
 
 /*

@@ -1,0 +1,206 @@
+/*
+ * The map from the light to the surface, fitted to second order about the photon by least squares:
+ * x = C c + J e + H(e, e) / 2, with x the place in the tangent plane, e where they left the light
+ * and c their colour, as parted light of other hues falls elsewhere. Then rho ~ 1 / det J, and
+ * grad rho / rho = -J^-T (d det J / de) / det J.
+ *
+ * How far the curvature H is trusted is Stein's: one less the inverse of how much more of the
+ * neighbours' places it explains than as many terms of chance would.
+ */
+#include "photon/relax_gradient.h"
+
+#include <math.h>
+
+#if defined(__x86_64__) && defined(__GNUC__) && !defined(__SANITIZE_ADDRESS__)
+#define CLONES __attribute__((target_clones("avx2", "default")))
+#else
+#define CLONES
+#endif
+
+/* Columns of the fit: colour, first order, second order; then the places. */
+enum {
+	RED, BLUE, A, B, AA, AB, BB, TERMS,
+	X = TERMS, Y, COLUMNS,
+	COLORS = 2, CURVED = 3,
+	LEAST = TERMS + 6, /* neighbours: so many more than terms that chance is seen */
+};
+
+/* More neighbours than there is room for add nothing. */
+enum { ROOM = 256 };
+
+typedef struct Columns {
+	float at[COLUMNS][ROOM];
+	int count;
+} Columns;
+
+typedef struct Fit {
+	double matrix[TERMS][TERMS]; /* lower half; Cholesky's factor in the end */
+	double map[2][TERMS];        /* of x, of y */
+	double squares;              /* of all places; in the end what the fit leaves of them */
+} Fit;
+
+/* Colour without brightness; its differences are what counts. */
+static void color_of(const RelaxPoint *point, float color[COLORS])
+{
+	const float *f = point->flux;
+	float all = f[0] + f[1] + f[2];
+	color[0] = all > 0 ? f[0] / all : 0;
+	color[1] = all > 0 ? f[2] / all : 0;
+}
+
+/* The emitter's axes at the photon: its plane's, or tangent to the unit sphere of directions. */
+static void emitter_axes(const RelaxPoint *point, Vec3 axes[2])
+{
+	const float *e = point->emitter;
+	axes[0] = vec3(1, 0, 0);
+	axes[1] = vec3(0, 1, 0);
+	if (e[2] != 0)
+		vec3_frame(vec3_normalize(vec3(e[0], e[1], e[2])), &axes[0], &axes[1]);
+}
+
+/* v between two places, per `unit`, along both axes. */
+static void difference(const float to[3], const float from[3], const Vec3 axes[2], double unit,
+		       float out[2])
+{
+	Vec3 d = vec3((double)to[0] - from[0], (double)to[1] - from[1], (double)to[2] - from[2]);
+	for (int k = 0; k < 2; k++)
+		out[k] = (float)(vec3_dot(d, axes[k]) / unit);
+}
+
+/* Places per radius, emitter coordinates per search range: numbers about one. */
+static void fill_columns(const RelaxSet *set, uint32_t i, const Neighbor *near, int found,
+			 const Vec3 axes[2], double radius, Columns *columns)
+{
+	const RelaxPoint *p = &set->points[i];
+	double range = sqrt((double)p->range2);
+	Vec3 own[2];
+	float color[COLORS], other[COLORS], e[2], x[2];
+	emitter_axes(p, own);
+	color_of(p, color);
+	columns->count = found < ROOM ? found : ROOM;
+	for (int n = 0; n < columns->count; n++) {
+		const RelaxPoint *q = &set->points[near[n].index];
+		difference(q->emitter, p->emitter, own, range, e);
+		difference(q->position, p->position, axes, radius, x);
+		color_of(q, other);
+		const float row[COLUMNS] = {
+			other[0] - color[0], other[1] - color[1], e[0], e[1], 0.5f * e[0] * e[0],
+			e[0] * e[1], 0.5f * e[1] * e[1], x[0], x[1]};
+		for (int c = 0; c < COLUMNS; c++)
+			columns->at[c][n] = row[c];
+	}
+}
+
+static inline double product(const Columns *columns, int a, int b)
+{
+	float sum = 0;
+#pragma omp simd reduction(+ : sum)
+	for (int n = 0; n < columns->count; n++)
+		sum += columns->at[a][n] * columns->at[b][n];
+	return (double)sum;
+}
+
+/* Light of one colour has nothing in the first columns: a touch of a ridge keeps them apart. */
+static const double RIDGE = 1e-6;
+
+CLONES static void make_equations(const Columns *columns, Fit *fit)
+{
+	for (int a = 0; a < TERMS; a++) {
+		for (int b = 0; b <= a; b++)
+			fit->matrix[a][b] = product(columns, a, b);
+		fit->map[0][a] = product(columns, a, X);
+		fit->map[1][a] = product(columns, a, Y);
+	}
+	for (int c = 0; c < COLORS; c++)
+		fit->matrix[c][c] += RIDGE * columns->count;
+	fit->squares = product(columns, X, X) + product(columns, Y, Y);
+}
+
+/* Cholesky's factor; false when the matrix is as good as singular. */
+static bool factorize(double m[TERMS][TERMS])
+{
+	for (int i = 0; i < TERMS; i++) {
+		double before = m[i][i];
+		for (int j = 0; j <= i; j++) {
+			double sum = m[i][j];
+			for (int k = 0; k < j; k++)
+				sum -= m[i][k] * m[j][k];
+			if (i == j && !(sum > 1e-6 * before))
+				return false;
+			m[i][j] = i == j ? sqrt(sum) : sum / m[j][j];
+		}
+	}
+	return true;
+}
+
+/* Solves for one side; what each term explains beyond those before it is taken from the squares.
+ * Returns what the curvature explains. */
+static double solve(Fit *fit, double x[TERMS])
+{
+	double curved = 0;
+	for (int i = 0; i < TERMS; i++) {
+		for (int k = 0; k < i; k++)
+			x[i] -= fit->matrix[i][k] * x[k];
+		x[i] /= fit->matrix[i][i];
+		fit->squares -= x[i] * x[i];
+		curved += i >= AA ? x[i] * x[i] : 0;
+	}
+	for (int i = TERMS - 1; i >= 0; i--) {
+		for (int k = i + 1; k < TERMS; k++)
+			x[i] -= fit->matrix[k][i] * x[k];
+		x[i] /= fit->matrix[i][i];
+	}
+	return curved;
+}
+
+/* -J^-T (d det J / de) / det J */
+static void gradient_of(const Fit *fit, double g[2])
+{
+	const double *x = fit->map[0], *y = fit->map[1];
+	double det = x[A] * y[B] - x[B] * y[A];
+	double by_a = x[AA] * y[B] + x[A] * y[AB] - x[AB] * y[A] - x[B] * y[AA],
+	       by_b = x[AB] * y[B] + x[A] * y[BB] - x[BB] * y[A] - x[B] * y[AB];
+	g[0] = -(by_a * y[B] - y[A] * by_b) / (det * det);
+	g[1] = -(x[A] * by_b - x[B] * by_a) / (det * det);
+}
+
+/*
+ * More change than this over the kernel of neighbours is a fold's: there the fit of second order
+ * ends, and the constraint holds.
+ */
+static const double STEEPEST = 4;
+
+Vec3 relax_gradient(const RelaxSet *set, uint32_t i, const Neighbor *near, int found,
+		    const Vec3 axes[2], double radius)
+{
+	Columns columns;
+	Fit fit;
+	double g[2];
+	if (found < LEAST || !(radius > 0) || !(set->points[i].range2 < INFINITY))
+		return vec3(0, 0, 0);
+	fill_columns(set, i, near, found, axes, radius, &columns);
+	make_equations(&columns, &fit);
+	if (!factorize(fit.matrix))
+		return vec3(0, 0, 0);
+	double curved = solve(&fit, fit.map[0]) + solve(&fit, fit.map[1]);
+	double chance = 2 * CURVED * fmax(fit.squares, 0) / (2 * (columns.count - TERMS));
+	gradient_of(&fit, g);
+	double steep = hypot(g[0], g[1]);
+	if (!(steep < INFINITY) || curved <= chance)
+		return vec3(0, 0, 0);
+	double scale = (1 - chance / curved) * fmin(1, STEEPEST / fmax(steep, STEEPEST)) / radius;
+	return vec3_add(vec3_scale(axes[0], scale * g[0]), vec3_scale(axes[1], scale * g[1]));
+}
+
+void relax_gradient_resist(const float gradient[3], float radius, float force[3])
+{
+	/* The push at the edge of a half disc, per radius: 2 / (3 pi). No gradient pushes more. */
+	const float most = 0.2122f;
+	float steep = sqrtf(gradient[0] * gradient[0] + gradient[1] * gradient[1] +
+			    gradient[2] * gradient[2]);
+	if (!(steep * radius > 0))
+		return;
+	float scale = fminf(steep * radius / 12, most) * radius / steep;
+	for (int k = 0; k < 3; k++)
+		force[k] += scale * gradient[k];
+}
