@@ -89,6 +89,7 @@ static void range_run(RelaxSet *set, uint32_t first, uint32_t end, void *data)
 static void find_ranges(RelaxSet *set, const Relaxation *settings)
 {
 	RelaxForest *forest = relax_forest_create(set, RELAX_EMITTER);
+	relax_forest_grow(forest);
 	RangeJob job = {forest, settings->range * settings->range * settings->neighbors};
 	relax_set_each(set, range_run, &job);
 	relax_forest_destroy(forest);
@@ -157,6 +158,7 @@ void features_detect(RelaxSet *set, const Relaxation *settings)
 	find_ranges(set, settings);
 	set->bases = memory_alloc(sizeof *set->bases * ((size_t)set->count + 1));
 	RelaxForest *forest = relax_forest_create(set, RELAX_PARAMETER);
+	relax_forest_grow(forest);
 	FeatureJob job = {forest, settings->neighbors};
 	relax_set_each(set, basis_run, &job);
 	relax_forest_destroy(forest);

@@ -21,6 +21,7 @@
 #include "base/arena.h"
 #include "base/clock.h"
 #include "photon/features.h"
+#include "photon/relax_forest.h"
 #include "photon/relax_gradient.h"
 
 #if defined(__x86_64__) && defined(__GNUC__) && !defined(__SANITIZE_ADDRESS__)
@@ -202,12 +203,16 @@ static void iterate(RelaxSet *set, const Relaxation *settings, RelaxSpace space,
 {
 	int neighbors = settings->repulsion_neighbors, listed = 2 * neighbors;
 	Work work = {memory_alloc(sizeof(Step) * ((size_t)set->count + 1)), neighbors};
+	RelaxForest *forest = relax_forest_create(set, space);
 	for (int i = 0; i < iterations; i++) {
-		if (i % LIST_ITERATIONS == 0)
-			relax_lists_fill(set, space, listed < RELAX_MOST ? listed : RELAX_MOST);
+		if (i % LIST_ITERATIONS == 0) {
+			relax_forest_grow(forest);
+			relax_lists_fill(set, forest, listed < RELAX_MOST ? listed : RELAX_MOST);
+		}
 		relax_set_each(set, step_run, &work);
 		relax_set_each(set, move_run, &work);
 	}
+	relax_forest_destroy(forest);
 	free(work.steps);
 }
 

@@ -76,14 +76,19 @@ RelaxForest *relax_forest_create(const RelaxSet *set, RelaxSpace space)
 	forest->space = space;
 	forest->members = memory_alloc(sizeof *forest->members * ((size_t)set->count + 1));
 	sort_members(forest);
+	return forest;
+}
+
+void relax_forest_grow(RelaxForest *forest)
+{
 	Place *places = make_places(forest);
 	for (int key = 0; key < KEYS; key++) {
 		uint32_t first = forest->starts[key], count = forest->starts[key + 1] - first;
+		photon_tree_destroy(forest->trees[key]);
 		if (count > 0)
 			forest->trees[key] = make_tree(forest, places + first, count);
 	}
 	free(places);
-	return forest;
 }
 
 void relax_forest_destroy(RelaxForest *forest)

@@ -8,9 +8,10 @@
 #include "photon/relax_set.h"
 #include "photon/tree.h"
 
-typedef struct RelaxForest RelaxForest;
-
+/* Knows which points go into one tree; has no trees yet. */
 RelaxForest *relax_forest_create(const RelaxSet *set, RelaxSpace space);
+/* Makes the trees of where the points are now, in the place of those before. */
+void relax_forest_grow(RelaxForest *forest);
 void relax_forest_destroy(RelaxForest *forest);
 
 /* The count points nearest to a point in that space, itself among them, in no order, in out (room

@@ -205,7 +205,7 @@ static void fill_run(RelaxSet *set, uint32_t first, uint32_t end, void *data)
 	}
 }
 
-void relax_lists_fill(RelaxSet *set, RelaxSpace space, int most)
+void relax_lists_fill(RelaxSet *set, const RelaxForest *forest, int most)
 {
 	RelaxLists *lists = &set->lists;
 	if (lists->most != most || !lists->index) {
@@ -216,8 +216,6 @@ void relax_lists_fill(RelaxSet *set, RelaxSpace space, int most)
 		lists->counts = memory_alloc((size_t)set->count + 1);
 		lists->most = most;
 	}
-	RelaxForest *forest = relax_forest_create(set, space);
 	FillJob job = {forest, 4 * (most + 1)};
 	relax_set_each(set, fill_run, &job);
-	relax_forest_destroy(forest);
 }

@@ -48,6 +48,8 @@ typedef struct RelaxSet {
 	const RelaxSurfaces *surfaces;
 } RelaxSet;
 
+typedef struct RelaxForest RelaxForest; /* relax_forest.h */
+
 /* What makes two points neighbours. */
 typedef enum RelaxSpace {
 	RELAX_PARAMETER, /* near in world space, of one sheet, within range where they left */
@@ -61,8 +63,8 @@ void relax_set_free(RelaxSet *set);
 /* Positions and normals back to the photons they belong to. */
 void relax_set_store(const RelaxSet *set, PhotonMap *map);
 
-/* Fills in the lists with the up to `most` nearest on the same side of the same object. */
-void relax_lists_fill(RelaxSet *set, RelaxSpace space, int most);
+/* Fills in the lists with the up to `most` nearest in the forest on the same side of the object. */
+void relax_lists_fill(RelaxSet *set, const RelaxForest *forest, int most);
 
 /* body(set, first, end, thread) over runs of all points, in parallel. */
 typedef void RelaxRun(RelaxSet *set, uint32_t first, uint32_t end, void *data);
