@@ -31,16 +31,15 @@ bool photon_estimator_named(const char *name, Estimator *out)
 
 /*
  * Spencer and Jones 2013, section 5, have seven iterations in each space and a range of three.
- * Relaxation blurs as a kernel does, by the distance that light spreads with the root of the
- * iterations; fewer of them, of photons from a smaller range, were nearer to references on every
- * scene measured (cognac-photons(7)).
+ * Beside folds relaxation blurs; so many iterations, of photons from a smaller range, were nearer
+ * to references on most scenes measured (cognac-photons(7)).
  */
 Relaxation relaxation_default(void)
 {
 	return (Relaxation){.on = true,
 			    .constrained = true,
 			    .parameter_iterations = 4,
-			    .world_iterations = 3,
+			    .world_iterations = 6,
 			    .neighbors = 50,
 			    .repulsion_neighbors = 16,
 			    .range = 2};
