@@ -71,7 +71,7 @@ check-brightness: cognac$(EXEEXT)
 # the scenes. And how far the estimators are from them: `make bench-caustics`, with
 # CAUSTICS_FLAGS='--scene prism --counts 60k --sheet' and more that --help tells. Needs numpy.
 WITH_NUMPY = /usr/bin/python3
-CAUSTICS_FILES = references.py caustics.py caustic_scenes.py caustic_sheet.py exr.py
+CAUSTICS_FILES = references.py caustics.py caustic_edges.py caustic_scenes.py caustic_sheet.py exr.py
 EXTRA_DIST += $(CAUSTICS_FILES:%=tests/bench/%)
 CAUSTICS_WORDS = --cognac ./cognac --compare ./cognac-compare --scenes $(srcdir)/scenes \
 	--library pictures

@@ -37,6 +37,13 @@ CAMERAS = {
 }
 SCENES = tuple(CAMERAS)
 
+# Lines across filaments where sheets lie over each other: x, y from, to, in pixels.
+FILAMENTS = {
+    "prism": {"middle band": (95, 111, 92, 120), "lower fold": (148.5, 149, 145, 156)},
+    "cognac": {"left ray": (106, 70, 121, 73.5)},
+    "rings": {"inner cusp": (112, 86.5, 124, 96)},
+}
+
 
 def vector(v):
     return "<%.9g, %.9g, %.9g>" % v
