@@ -39,6 +39,22 @@ panel_of()
 	fi
 }
 
+# panels FIGURE METHODS SCENE PHOTONS WORD...: one by each method, FIGURE-METHOD.png, all from the same photons.
+panels()
+{
+	figure=$1
+	methods=$2
+	shift 2
+	first=$1
+	paths=$2
+	shift 2
+	for way in $methods; do
+		panel_of "$figure" "$figure-$way" "$first" "$way" "$paths" "$@"
+		draw "$figure-$way" RGBA "$figure-$way"
+	done
+	ln -sf "$figure-0.json" "${figure}a.json"
+}
+
 # draw NAME LAYER OUT [WORD...]
 draw()
 {
@@ -61,44 +77,31 @@ sheet()
 # A glass with liquid that was shaken: noise, plain relaxation and ours.
 figure1()
 {
-	crop="+W1600 +H1200 +SC641 +EC1120 +SR781 +ER1140 $fine"
-	for method in 0 1 3; do
-		# shellcheck disable=SC2086
-		panel_of 1 1-$method cognac.pov $method 2000000 $crop
-		draw 1-$method RGBA 1-$method
-	done
-	ln -sf 1-0.json 1a.json
+	# shellcheck disable=SC2086
+	panels 1 '0 1 3' cognac.pov 2000000 +W1600 +H1200 +SC641 +EC1120 +SR781 +ER1140 $fine
 	sheet 1 1468 402
 }
 
 # A prism: the methods, what relaxation knows of its photons, and a reference.
 figure6()
 {
-	for method in 0 1 2 3; do
-		# shellcheck disable=SC2086
-		panel_of 6 6-$method figures/prism.pov $method 5850000 +W480 +H360 $fine
-		draw 6-$method RGBA 6-$method
-	done
+	# shellcheck disable=SC2086
+	panels 6 '0 1 2 3' figures/prism.pov 5850000 +W480 +H360 $fine
 	panel 6-4 figures/prism.pov 4 500000 +W480 +H360 Declare=Radius=0.05
 	draw 6-4 RGBA 6-4
 	draw 6-3 photons.parameter 6-e --exposure=1.5
 	draw 6-3 photons.edges 6-f --exposure=1.5 --range=3,6
 	draw 6-3 photons.constraint 6-g --exposure=1.5
-	ln -sf 6-0.json 6a.json
 	sheet 6 1956 788
 }
 
 # A lamp with a faceted reflector over a chair.
 figure8()
 {
-	for method in 0 1 2 3; do
-		# shellcheck disable=SC2086
-		panel_of 8 8-$method figures/lamp.pov $method 1200000 +W480 +H400 $fine
-		draw 8-$method RGBA 8-$method
-	done
+	# shellcheck disable=SC2086
+	panels 8 '0 1 2 3' figures/lamp.pov 1200000 +W480 +H400 $fine
 	draw 8-3 photons.parameter 8-d
 	draw 8-3 photons.constraint 8-e
-	ln -sf 8-0.json 8a.json
 	sheet 8 1468 876
 }
 
@@ -122,12 +125,8 @@ figure9()
 # Before and after, small: scenes/relaxation.png is this.
 figure0()
 {
-	for method in 0 3; do
-		# shellcheck disable=SC2086
-		panel_of 0 0-$method figures/prism.pov $method 250000 +W360 +H270 $fine
-		draw 0-$method RGBA 0-$method
-	done
-	ln -sf 0-0.json 0a.json
+	# shellcheck disable=SC2086
+	panels 0 '0 3' figures/prism.pov 250000 +W360 +H270 $fine
 	sheet 0 740 308
 }
 
