@@ -77,6 +77,15 @@ def text(name, folder, settings=""):
     )
 
 
+def add_arguments(parser, threads):
+    """What tells a Program where things are."""
+    parser.add_argument("--cognac", default="./cognac")
+    parser.add_argument("--compare", default="./cognac-compare")
+    parser.add_argument("--scenes", default="scenes", help="the folder of the scenes")
+    parser.add_argument("--library", action="append", default=[], help="more folders with includes")
+    parser.add_argument("--threads", type=int, default=threads)
+
+
 class Program:
     """Calls cognac on close-ups; words that are the same for all calls."""
 

@@ -300,10 +300,7 @@ def add_method(text):
 
 def arguments():
     parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("--cognac", default="./cognac")
-    parser.add_argument("--compare", default="./cognac-compare")
-    parser.add_argument("--scenes", default="scenes", help="the folder of the scenes")
-    parser.add_argument("--library", action="append", default=[], help="more folders with includes")
+    caustic_scenes.add_arguments(parser, threads=1)
     parser.add_argument("--references", default="references", help="the folder of the references")
     parser.add_argument("--folder", default="caustics-bench", help="for pictures and what is kept")
     parser.add_argument("--scene", default=",".join(caustic_scenes.SCENES[:4]))
@@ -320,7 +317,6 @@ def arguments():
     parser.add_argument(
         "--samples", type=int, default=2, help="of a pixel, both ways: all methods' alike"
     )
-    parser.add_argument("--threads", type=int, default=1)
     parser.add_argument("--json", help="the rows also to this file")
     parser.add_argument(
         "--sheet", action="store_true", help="crops side by side in FOLDER/SCENE.COUNT.png"

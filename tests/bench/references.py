@@ -131,16 +131,12 @@ class Maker:
 
 def arguments():
     parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("--cognac", default="./cognac")
-    parser.add_argument("--compare", default="./cognac-compare")
-    parser.add_argument("--scenes", default="scenes", help="the folder of the scenes")
-    parser.add_argument("--library", action="append", default=[], help="more folders with includes")
+    caustic_scenes.add_arguments(parser, threads=0)
     parser.add_argument("--folder", default="references", help="where the pictures go")
     parser.add_argument(
         "--photons", type=float, default=134e6, help="stored photons of both halves together"
     )
     parser.add_argument("--per-pass", type=float, default=1e6, help="stored photons of a pass")
-    parser.add_argument("--threads", type=int, default=0)
     parser.add_argument("names", nargs="*", default=[], metavar="scene")
     return parser.parse_args()
 
