@@ -52,8 +52,14 @@ bench-language: cognac$(EXEEXT)
 include tests/bench/relaxation.mk
 
 # How fast photons are traced, sorted into the search tree and found again, against others.
-EXTRA_DIST += tests/bench/photons.sh tests/bench/photon_stage.py tests/bench/photon_tree.cc
-bench-photons: cognac$(EXEEXT) libphoton.a libbase.a
+EXTRA_DIST += tests/bench/photons.sh tests/bench/photon_stage.py tests/bench/photon_tree.cc \
+	tests/bench/photon_rays.c
+tests/bench/photon-rays: tests/bench/photon_rays.c $(COGNAC_ROOMS) libimage.a libbase.a
+	$(MKDIR_P) tests/bench
+	$(COMPILE) -o $@ $(srcdir)/tests/bench/photon_rays.c -Wl,--wrap=accel_nearest $(COGNAC_ROOMS) libimage.a \
+		libbase.a $(COGNAC_LIBS) $(AM_LDFLAGS) $(LIBS)
+CLEANFILES += tests/bench/photon-rays
+bench-photons: cognac$(EXEEXT) tests/bench/photon-rays libphoton.a libbase.a
 	COGNAC=./cognac SOURCES=$(srcdir) bash $(srcdir)/tests/bench/photons.sh
 .PHONY: bench-photons
 

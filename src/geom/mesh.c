@@ -136,6 +136,21 @@ static const char *range_error(const MeshDesc *d)
 	return NULL;
 }
 
+static const float (*unit_normals(Arena *arena, const MeshDesc *desc))[3]
+{
+	if (!desc->normals)
+		return NULL;
+	float(*rows)[3] = arena_alloc(arena, sizeof *rows * (size_t)desc->normal_count);
+	for (int i = 0; i < desc->normal_count; i++) {
+		const float *row = desc->normals[i];
+		Vec3 n = vec3_normalize(vec3(row[0], row[1], row[2]));
+		rows[i][0] = (float)n.x;
+		rows[i][1] = (float)n.y;
+		rows[i][2] = (float)n.z;
+	}
+	return rows;
+}
+
 Mesh *mesh_create(Arena *arena, const MeshDesc *desc, const char **error)
 {
 	*error = range_error(desc);
@@ -143,6 +158,7 @@ Mesh *mesh_create(Arena *arena, const MeshDesc *desc, const char **error)
 		return NULL;
 	Mesh *mesh = ARENA_NEW(arena, Mesh);
 	mesh->desc = *desc;
+	mesh->desc.normals = unit_normals(arena, desc);
 	mesh->box = box3_empty();
 	for (int i = 0; i < desc->vertex_count; i++) {
 		const float *p = desc->vertices[i];
@@ -150,6 +166,20 @@ Mesh *mesh_create(Arena *arena, const MeshDesc *desc, const char **error)
 	}
 	mesh->tree = mesh_tree_create(arena, desc->triangle_count);
 	return mesh;
+}
+
+static const int *normal_row(const MeshDesc *d, int triangle)
+{
+	return (d->normal_indices ? d->normal_indices : d->triangles)[triangle];
+}
+
+/* Who is told of a hit will ask for its normal: large meshes are not in the caches. */
+static void fetch_normals(const MeshDesc *d, int triangle)
+{
+	const int *index = normal_row(d, triangle);
+	for (int k = 0; d->normals && k < 3; k++)
+		if (index[k] >= 0)
+			__builtin_prefetch(d->normals[index[k]]);
 }
 
 static Vec3 vertex(const Mesh *mesh, int triangle, int corner)
@@ -160,6 +190,7 @@ static Vec3 vertex(const Mesh *mesh, int triangle, int corner)
 
 bool mesh_hit_triangle(const Mesh *mesh, int triangle, const Ray *ray, Hit *hit)
 {
+	fetch_normals(&mesh->desc, triangle);
 	Vec3 a = vertex(mesh, triangle, 0);
 	Corners corners = {a, vec3_sub(vertex(mesh, triangle, 1), a),
 			   vec3_sub(vertex(mesh, triangle, 2), a)};
@@ -256,13 +287,13 @@ static Vec3 mesh_shading_normal(const void *data, const Hit *hit, Vec3 p)
 	const MeshDesc *d = &((const Mesh *)data)->desc;
 	if (!d->normals)
 		return mesh_normal(data, hit, p);
-	const int *index = (d->normal_indices ? d->normal_indices : d->triangles)[hit->part];
+	const int *index = normal_row(d, hit->part);
 	if (index[0] < 0 || index[1] < 0 || index[2] < 0)
 		return mesh_normal(data, hit, p);
 	Vec3 n[3];
 	for (int k = 0; k < 3; k++) {
 		const float *row = d->normals[index[k]];
-		n[k] = vec3_normalize(vec3(row[0], row[1], row[2]));
+		n[k] = vec3(row[0], row[1], row[2]);
 	}
 	Vec3 smooth = interpolate(n[0], n[1], n[2], hit);
 	return vec3_length2(smooth) > 0 ? smooth : mesh_normal(data, hit, p);

@@ -1,7 +1,8 @@
 /*
  * Triangles: single ones in double precision, and meshes with shared vertices in single precision.
  * A mesh knows normals, texture coordinates and, per corner, the number of a texture; all optional.
- * Arrays are the caller's and must outlive the mesh.
+ * Arrays are the caller's and must outlive the mesh, but for normals, which are copied at unit
+ * length.
  */
 #ifndef GEOM_MESH_H
 #define GEOM_MESH_H

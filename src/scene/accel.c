@@ -188,15 +188,20 @@ static float embree_end(const Query *query, double t)
 	return length < FLT_MAX ? (float)(length * (1 + 1e-6) + query->accel->pad) : FLT_MAX;
 }
 
+/* Embree's ray may end before the query's, at a triangle of which the query does not know yet. */
 static void intersect_shape(const struct RTCIntersectFunctionNArguments *args)
 {
 	Query *query = (Query *)args->context;
 	const Shape *shape = query->accel->bounded[args->primID];
-	double range[2];
-	if (!args->valid[0] || !box_range(query, &shape->box, range) ||
-	    !query_shape(query, shape))
-		return;
 	struct RTCRayHit *rayhit = (struct RTCRayHit *)args->rayhit;
+	double range[2], end = query->ray.tmax;
+	query->ray.tmax = real_min(end, query->start + rayhit->ray.tfar);
+	bool found = args->valid[0] && box_range(query, &shape->box, range) &&
+		     query_shape(query, shape);
+	if (!found) {
+		query->ray.tmax = end;
+		return;
+	}
 	rayhit->ray.tfar = query->any ? -INFINITY : embree_end(query, query->best->t);
 	rayhit->hit.geomID = 0;
 	rayhit->hit.primID = args->primID;
@@ -260,6 +265,24 @@ static struct RTCRay embree_ray(Query *query, double enter, double leave)
 	};
 }
 
+/* Embree's nearest crossing. Without a filter of its own the query asks no triangle on the way but
+ * the one that Embree ends with; false when double precision then disagrees. */
+static bool query_nearest(Query *query, struct RTCRay ray, bool ask_each)
+{
+	struct RTCRayHit rayhit = {.ray = ray};
+	Hit hit;
+	rayhit.hit.geomID = RTC_INVALID_GEOMETRY_ID;
+	query->embree.filter = ask_each ? filter_triangle : NULL;
+	rtcIntersect1(query->accel->scene, &query->embree, &rayhit);
+	unsigned geometry = rayhit.hit.geomID;
+	if (ask_each || geometry == RTC_INVALID_GEOMETRY_ID || geometry == 0)
+		return true;
+	if (!triangle_hit(query, query->accel->meshes[geometry - 1], rayhit.hit.primID, &hit))
+		return false;
+	query_take(query, &hit);
+	return true;
+}
+
 static void query_embree(Query *query)
 {
 	double range[2];
@@ -267,13 +290,13 @@ static void query_embree(Query *query)
 	if (!box_range(query, &query->accel->box, range))
 		return;
 	rtcInitIntersectContext(&query->embree);
-	query->embree.filter = filter_triangle;
-	struct RTCRayHit rayhit = {.ray = embree_ray(query, range[0], range[1])};
-	rayhit.hit.geomID = RTC_INVALID_GEOMETRY_ID;
-	if (query->any)
-		rtcOccluded1(query->accel->scene, &query->embree, &rayhit.ray);
-	else
-		rtcIntersect1(query->accel->scene, &query->embree, &rayhit);
+	struct RTCRay ray = embree_ray(query, range[0], range[1]);
+	if (query->any) {
+		query->embree.filter = filter_triangle;
+		rtcOccluded1(query->accel->scene, &query->embree, &ray);
+	} else if (query->filter || !query_nearest(query, ray, false)) {
+		query_nearest(query, ray, true);
+	}
 }
 
 static bool query_run(Query *query)
