@@ -1,5 +1,6 @@
 #include "geom/mesh.h"
 
+#include <string.h>
 
 #include "geom/mesh_tree.h"
 
@@ -136,19 +137,42 @@ static const char *range_error(const MeshDesc *d)
 	return NULL;
 }
 
-static const float (*unit_normals(Arena *arena, const MeshDesc *desc))[3]
+typedef float Corner3[3][3];
+
+static const Corner3 *copy_corners(Arena *arena, const MeshDesc *desc)
+{
+	Corner3 *corners = ARENA_ARRAY(arena, Corner3, desc->triangle_count);
+	for (int i = 0; i < desc->triangle_count; i++)
+		for (int k = 0; k < 3; k++)
+			memcpy(corners[i][k], desc->vertices[desc->triangles[i][k]],
+			       sizeof corners[i][k]);
+	return (const Corner3 *)corners;
+}
+
+static void set_unit_normals(const MeshDesc *desc, const int *index, Corner3 out)
+{
+	for (int k = 0; k < 3; k++) {
+		const float *row = desc->normals[index[k]];
+		Vec3 n = vec3_normalize(vec3(row[0], row[1], row[2]));
+		out[k][0] = (float)n.x;
+		out[k][1] = (float)n.y;
+		out[k][2] = (float)n.z;
+	}
+}
+
+/* Those of flat triangles stay 0. */
+static const Corner3 *copy_normals(Arena *arena, const MeshDesc *desc)
 {
 	if (!desc->normals)
 		return NULL;
-	float(*rows)[3] = arena_alloc(arena, sizeof *rows * (size_t)desc->normal_count);
-	for (int i = 0; i < desc->normal_count; i++) {
-		const float *row = desc->normals[i];
-		Vec3 n = vec3_normalize(vec3(row[0], row[1], row[2]));
-		rows[i][0] = (float)n.x;
-		rows[i][1] = (float)n.y;
-		rows[i][2] = (float)n.z;
+	Corner3 *normals = ARENA_ARRAY(arena, Corner3, desc->triangle_count);
+	for (int i = 0; i < desc->triangle_count; i++) {
+		const int *index = (desc->normal_indices ? desc->normal_indices
+							 : desc->triangles)[i];
+		if (index[0] >= 0 && index[1] >= 0 && index[2] >= 0)
+			set_unit_normals(desc, index, normals[i]);
 	}
-	return rows;
+	return (const Corner3 *)normals;
 }
 
 Mesh *mesh_create(Arena *arena, const MeshDesc *desc, const char **error)
@@ -158,7 +182,8 @@ Mesh *mesh_create(Arena *arena, const MeshDesc *desc, const char **error)
 		return NULL;
 	Mesh *mesh = ARENA_NEW(arena, Mesh);
 	mesh->desc = *desc;
-	mesh->desc.normals = unit_normals(arena, desc);
+	mesh->corners = copy_corners(arena, desc);
+	mesh->normals = copy_normals(arena, desc);
 	mesh->box = box3_empty();
 	for (int i = 0; i < desc->vertex_count; i++) {
 		const float *p = desc->vertices[i];
@@ -168,29 +193,16 @@ Mesh *mesh_create(Arena *arena, const MeshDesc *desc, const char **error)
 	return mesh;
 }
 
-static const int *normal_row(const MeshDesc *d, int triangle)
-{
-	return (d->normal_indices ? d->normal_indices : d->triangles)[triangle];
-}
-
-/* Who is told of a hit will ask for its normal: large meshes are not in the caches. */
-static void fetch_normals(const MeshDesc *d, int triangle)
-{
-	const int *index = normal_row(d, triangle);
-	for (int k = 0; d->normals && k < 3; k++)
-		if (index[k] >= 0)
-			__builtin_prefetch(d->normals[index[k]]);
-}
-
 static Vec3 vertex(const Mesh *mesh, int triangle, int corner)
 {
-	const float *p = mesh->desc.vertices[mesh->desc.triangles[triangle][corner]];
+	const float *p = mesh->corners[triangle][corner];
 	return vec3(p[0], p[1], p[2]);
 }
 
 bool mesh_hit_triangle(const Mesh *mesh, int triangle, const Ray *ray, Hit *hit)
 {
-	fetch_normals(&mesh->desc, triangle);
+	if (mesh->normals) /* who is told of a hit will ask for its normal */
+		__builtin_prefetch(mesh->normals[triangle]);
 	Vec3 a = vertex(mesh, triangle, 0);
 	Corners corners = {a, vec3_sub(vertex(mesh, triangle, 1), a),
 			   vec3_sub(vertex(mesh, triangle, 2), a)};
@@ -284,19 +296,25 @@ static Vec3 mesh_normal(const void *data, const Hit *hit, Vec3 p)
 
 static Vec3 mesh_shading_normal(const void *data, const Hit *hit, Vec3 p)
 {
-	const MeshDesc *d = &((const Mesh *)data)->desc;
-	if (!d->normals)
-		return mesh_normal(data, hit, p);
-	const int *index = normal_row(d, hit->part);
-	if (index[0] < 0 || index[1] < 0 || index[2] < 0)
+	const Mesh *mesh = data;
+	if (!mesh->normals)
 		return mesh_normal(data, hit, p);
 	Vec3 n[3];
 	for (int k = 0; k < 3; k++) {
-		const float *row = d->normals[index[k]];
+		const float *row = mesh->normals[hit->part][k];
 		n[k] = vec3(row[0], row[1], row[2]);
 	}
 	Vec3 smooth = interpolate(n[0], n[1], n[2], hit);
 	return vec3_length2(smooth) > 0 ? smooth : mesh_normal(data, hit, p);
+}
+
+static bool mesh_bent(const void *data, const Hit *hit)
+{
+	const Mesh *mesh = data;
+	if (!mesh->normals)
+		return false;
+	const float *a = mesh->normals[hit->part][0], *b = mesh->normals[hit->part][1];
+	return fabsf(a[0] - b[0]) + fabsf(a[1] - b[1]) + fabsf(a[2] - b[2]) > 1e-4f;
 }
 
 static Vec2 mesh_uv(const void *data, const Hit *hit, Vec3 p)
@@ -347,5 +365,6 @@ const ShapeClass mesh_class = {
 	.uv = mesh_uv,
 	.nearest = mesh_nearest,
 	.shading_normal = mesh_shading_normal,
+	.bent = mesh_bent,
 	.textures = mesh_textures,
 };

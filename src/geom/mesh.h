@@ -1,8 +1,7 @@
 /*
  * Triangles: single ones in double precision, and meshes with shared vertices in single precision.
  * A mesh knows normals, texture coordinates and, per corner, the number of a texture; all optional.
- * Arrays are the caller's and must outlive the mesh, but for normals, which are copied at unit
- * length.
+ * Arrays are the caller's and must outlive the mesh.
  */
 #ifndef GEOM_MESH_H
 #define GEOM_MESH_H
@@ -39,6 +38,9 @@ typedef struct MeshTree MeshTree;
 
 typedef struct Mesh {
 	MeshDesc desc;
+	/* Each triangle's own, one step to memory instead of two: corners, and unit normals, 0 for a
+	 * flat one (NULL: all are). */
+	const float (*corners)[3][3], (*normals)[3][3];
 	Box3 box;
 	MeshTree *tree; /* for rays outside the scene's accelerator (CSG, trace()); made at the
 			   first need */

@@ -210,6 +210,8 @@ bool hit_is_flat(const Hit *hit, Vec3 world, Vec3 shading)
 	const ShapeClass *class = hit->shape->class;
 	if (!class->flat || !class->shading_normal)
 		return class->flat;
+	if (class->bent && class->bent(hit->shape->data, hit))
+		return false;
 	return vec3_length2(vec3_cross(hit_normal(hit, world), shading)) < 1e-12;
 }
 

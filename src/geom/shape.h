@@ -113,6 +113,8 @@ struct ShapeClass {
 	int (*textures)(const void *data, const Hit *hit, Vec3 p, ShapeTextures *out);
 	/* Made of flat faces. */
 	bool flat;
+	/* Optional, with shading_normal: true when that surely differs over the hit's face. */
+	bool (*bent)(const void *data, const Hit *hit);
 	/* nearest() costs about what a test against the box does, nobody need ask the box first;
 	 * and it leaves *out alone when there is no crossing. */
 	bool quick;

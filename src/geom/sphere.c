@@ -16,13 +16,13 @@ const void *sphere_create(Arena *arena, Vec3 center, double radius)
 bool sphere_cross(Vec3 center, double radius, const Ray *ray, double t[2])
 {
 	Vec3 from = vec3_sub(ray->origin, center);
-	double speed2 = vec3_length2(ray->direction),
-	       middle = -vec3_dot(from, ray->direction) / speed2;
+	double inverse2 = 1 / vec3_length2(ray->direction),
+	       middle = -vec3_dot(from, ray->direction) * inverse2;
 	Vec3 nearest = vec3_mad(from, middle, ray->direction);
 	double left = radius * radius - vec3_length2(nearest);
 	if (!(left > 0))
 		return false;
-	double half = sqrt(left / speed2);
+	double half = sqrt(left * inverse2);
 	t[0] = middle - half;
 	t[1] = middle + half;
 	return true;

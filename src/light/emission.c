@@ -202,14 +202,26 @@ Emission emission_sample(const Light *light, const EmissionAim *aim, const Emiss
 	return sample_cap(&seen, disc);
 }
 
+/* As light_arrival, for lights that are as strong in all directions: how far the light has come is
+ * known from the ray. */
+static Rgb even_arrival(const Light *light, const Emission *emission, Vec3 p, double *distance)
+{
+	Vec3 from = light->parallel ? light->position : emission->origin;
+	*distance = fabs(vec3_dot(vec3_sub(p, from), emission->direction));
+	return rgb_scale(light->color, (float)light_fade(light, *distance));
+}
+
 Rgb emission_flux(const Light *light, const Emission *emission, Vec3 p, double share,
 		  double *distance)
 {
 	Vec3 direction;
 	double area = share * emission->measure;
-	Rgb arrival = light_arrival(light,
-				    is_collimated(light) ? light->position : emission->origin, p,
-				    &direction, distance);
+	Rgb arrival = light->kind == LIGHT_POINT
+			      ? even_arrival(light, emission, p, distance)
+			      : light_arrival(light,
+					      is_collimated(light) ? light->position
+								   : emission->origin,
+					      p, &direction, distance);
 	if (!is_collimated(light))
 		area *= *distance * *distance;
 	return rgb_scale(arrival, (float)area);

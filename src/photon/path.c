@@ -45,7 +45,7 @@ typedef struct Path {
 	Ray ray;
 	Rgb flux;
 	Rgb tint;            /* by what it has passed through on the way to its target */
-	float start;         /* grey flux at the first hit */
+	float gray, start;   /* grey flux, and what it was at the first hit */
 	double length;       /* so far */
 	double first_length, first_distance; /* at the first hit: of the path, and from the light */
 	double hue;          /* 0.5 for white light */
@@ -91,15 +91,15 @@ static uint64_t face_of(const Hit *hit, Vec3 p, Vec3 normal)
 	static const double steps = 65536; /* the faces' normals are told apart with */
 	if (!hit->shape->class->flat || !hit_is_flat(hit, p, normal))
 		return 0; /* the first: to save the call */
-	return random_mix((uint64_t)llrint(steps * normal.x) +
-			  ((uint64_t)llrint(steps * normal.y) << 20) +
-			  ((uint64_t)llrint(steps * normal.z) << 40) + 1);
+	return (uint64_t)llrint(steps * normal.x) + ((uint64_t)llrint(steps * normal.y) << 20) +
+	       ((uint64_t)llrint(steps * normal.z) << 40) + 1;
 }
 
 /* The hash of a way that ends with an event at an object's face. */
 static uint16_t way_of(unsigned before, int object, uint64_t face)
 {
-	return (uint16_t)random_mix(face ^ ((uint64_t)before << 32 | (uint32_t)object));
+	return (uint16_t)random_mix(face * 0x9e3779b97f4a7c15u ^
+				    ((uint64_t)before << 32 | (uint32_t)object));
 }
 
 static void store(Path *path, const Hit *hit, Vec3 p, Vec3 normal)
@@ -171,6 +171,7 @@ static void settle_hue(Path *path, const Surface *surface)
 	path->colored = true;
 	path->hue = halton_number(path, DIMENSION_HUE);
 	path->flux = rgb_mul(path->flux, interior_hue_color(path->hue));
+	path->gray = rgb_gray(path->flux);
 }
 
 /* The mirrors and passages of a surface, and whether these are all that it has. */
@@ -208,9 +209,9 @@ static void find_textured_ways(Path *path, const ShadePoint *point, double ior, 
 	ways->count = bsdf_events(&bsdf, TRANSPORT_FLUX, ways->events);
 }
 
-static void find_ways(Path *path, const ShadePoint *point, Ways *ways)
+static void find_ways(Path *path, const ShadePoint *point, int inside, Ways *ways)
 {
-	double ior = inside_ratio_of_hue(&path->inside, point->surface, path->hue);
+	double ior = inside_ratio_at(&path->inside, inside, point->surface, path->hue);
 	if (point->surface->uniform)
 		find_uniform_ways(path, point, ior, ways);
 	else
@@ -224,8 +225,8 @@ static bool allowed(const Path *path, const Surface *surface, const BsdfEvent *e
 		       : surface->photons_refraction && path->light->photons_refraction;
 }
 
-/* Picks one event by its weight and multiplies its weight so that the expectation is all of them;
- * NULL when none is left. */
+/* Picks one event by its weight and multiplies its weight so that the expectation is all of them:
+ * then it has the grey flux of all. NULL when none is left. */
 static BsdfEvent *choose_event(Path *path, const Surface *surface, Ways *ways)
 {
 	float shares[BSDF_MAX_EVENTS], total = 0;
@@ -240,6 +241,7 @@ static BsdfEvent *choose_event(Path *path, const Surface *surface, Ways *ways)
 		choices += share > 0;
 		last = share > 0 ? i : last;
 	}
+	path->gray = total;
 	if (choices < 2)
 		return choices ? &events[last] : NULL;
 	float u = (float)event_number(path) * total;
@@ -252,19 +254,20 @@ static BsdfEvent *choose_event(Path *path, const Surface *surface, Ways *ways)
 
 static bool survives(Path *path)
 {
-	float left = rgb_gray(path->flux), limit = path->bailout * path->start;
+	float left = path->gray, limit = path->bailout * path->start;
 	if (left >= limit)
 		return left > 0;
 	if (sampler_next(&path->sampler) * limit >= left)
 		return false;
 	path->flux = rgb_scale(path->flux, limit / left);
+	path->gray = limit;
 	return true;
 }
 
-static void go_on(Path *path, const ShadePoint *point, const BsdfEvent *event)
+static void go_on(Path *path, const ShadePoint *point, int inside, const BsdfEvent *event)
 {
 	if (event->kind == BSDF_TRANSMIT && !event->total)
-		inside_cross(&path->inside, point->surface);
+		inside_cross_at(&path->inside, inside, point->surface);
 	path->flux = rgb_mul(path->flux, event->weight);
 	path->ray = (Ray){point->at.world, event->to, shade_epsilon(point->at.world), INFINITY};
 	int what = event->kind == BSDF_REFLECT ? 1 : event->total ? 2 : 3;
@@ -300,7 +303,7 @@ static bool lands_on_target(Path *path, const Surface *surface, Vec3 p)
 				   &path->first_distance);
 	path->flux = rgb_mul(path->flux, path->tint);
 	path->first_length = path->length;
-	path->start = rgb_gray(path->flux);
+	path->gray = path->start = rgb_gray(path->flux);
 	path->out->statistics.emitted_flux += path->start;
 	return path->start > 0;
 }
@@ -309,9 +312,10 @@ static void attenuate(Path *path, const Interior *interior, double distance)
 {
 	if (!interior || interior->fade_power <= 0 || interior->fade_distance <= 0)
 		return;
-	float before = rgb_gray(path->flux);
+	float before = path->gray;
 	path->flux = rgb_mul(path->flux, shade_attenuation(interior, distance));
-	path->out->statistics.absorbed_flux += before - rgb_gray(path->flux);
+	path->gray = rgb_gray(path->flux);
+	path->out->statistics.absorbed_flux += before - path->gray;
 }
 
 static bool collects(const Path *path, const Surface *surface)
@@ -325,7 +329,7 @@ static bool collects(const Path *path, const Surface *surface)
 static void end_on(Path *path, const Hit *hit)
 {
 	PhotonStatistics *statistics = &path->out->statistics;
-	float left = rgb_gray(path->flux);
+	float left = path->gray;
 	if (!collects(path, hit->shape->owner)) {
 		statistics->absorbed_flux += left;
 		return;
@@ -336,8 +340,9 @@ static void end_on(Path *path, const Hit *hit)
 	statistics->stored_flux += left;
 }
 
-/* Leaves a photon if it may and goes on if the path does. */
-static bool scatter(Path *path, const Hit *hit)
+/* Leaves a photon if it may and goes on if the path does. inside: the surface's place among those
+ * that the path is in. */
+static bool scatter(Path *path, const Hit *hit, int inside)
 {
 	ShadePoint point;
 	Ways ways;
@@ -345,18 +350,18 @@ static bool scatter(Path *path, const Hit *hit)
 	PhotonStatistics *statistics = &path->out->statistics;
 	shade_point_init(&point, &path->ray, hit);
 	settle_hue(path, point.surface);
-	find_ways(path, &point, &ways);
-	float before = rgb_gray(path->flux);
+	find_ways(path, &point, inside, &ways);
+	float before = path->gray;
 	bool stored = collects(path, point.surface) && !ways.delta, on = false;
 	if (stored)
 		store(path, hit, point.at.world, point.at.normal);
 	if (path->edges < path->most_levels)
 		chosen = choose_event(path, point.surface, &ways);
 	if (chosen) {
-		go_on(path, &point, chosen);
+		go_on(path, &point, inside, chosen);
 		on = survives(path);
 	}
-	double taken = before - (on ? rgb_gray(path->flux) : 0);
+	double taken = before - (on ? path->gray : 0);
 	*(stored ? &statistics->stored_flux : &statistics->absorbed_flux) += taken;
 	return on;
 }
@@ -371,13 +376,14 @@ static bool meet(Path *path, const Hit *hit)
 	if (path->edges == 0 && !lands_on_target(path, surface, ray_at(&path->ray, hit->t)))
 		return false;
 	path->edges++;
-	if (inside_has(&path->inside, surface))
+	int inside = inside_find(&path->inside, surface);
+	if (inside >= 0)
 		attenuate(path, surface->interior, hit->t);
 	if (surface->ends_light) {
 		end_on(path, hit);
 		return false;
 	}
-	return scatter(path, hit);
+	return scatter(path, hit, inside);
 }
 
 /* ---- runs of paths ---- */
@@ -393,7 +399,7 @@ static void follow(Path *path)
 		if (!accel_nearest(path->scene->accel, &path->ray, filter, path, &hit)) {
 			if (path->edges > 0) {
 				statistics->escaped++;
-				statistics->escaped_flux += rgb_gray(path->flux);
+				statistics->escaped_flux += path->gray;
 			}
 			return;
 		}
@@ -403,7 +409,7 @@ static void follow(Path *path)
 		}
 	}
 	statistics->absorbed++;
-	statistics->absorbed_flux += rgb_gray(path->flux);
+	statistics->absorbed_flux += path->gray;
 }
 
 static void begin(Path *path, int at, uint64_t number)

@@ -1,14 +1,13 @@
 #include "scene/inside.h"
 
-#include <string.h>
-
 void inside_copy(InsideStack *to, const InsideStack *from)
 {
 	to->count = from->count;
-	memcpy(to->items, from->items, sizeof *from->items * (size_t)from->count);
+	for (int i = 0; i < from->count; i++)
+		to->items[i] = from->items[i];
 }
 
-static int find(const InsideStack *stack, const Surface *surface)
+int inside_find(const InsideStack *stack, const Surface *surface)
 {
 	for (int i = stack->count - 1; i >= 0; i--) {
 		const InsideItem *item = &stack->items[i];
@@ -20,20 +19,24 @@ static int find(const InsideStack *stack, const Surface *surface)
 
 bool inside_has(const InsideStack *stack, const Surface *surface)
 {
-	return find(stack, surface) >= 0;
+	return inside_find(stack, surface) >= 0;
 }
 
-void inside_cross(InsideStack *stack, const Surface *surface)
+void inside_cross_at(InsideStack *stack, int at, const Surface *surface)
 {
-	int at = find(stack, surface);
 	if (at >= 0) {
 		stack->count--;
-		memmove(&stack->items[at], &stack->items[at + 1],
-			sizeof *stack->items * (size_t)(stack->count - at));
+		for (int i = at; i < stack->count; i++)
+			stack->items[i] = stack->items[i + 1];
 	} else if (stack->count < INSIDE_MAX) {
 		stack->items[stack->count++] = (InsideItem){surface->interior, surface->id,
 							    surface->hollow};
 	}
+}
+
+void inside_cross(InsideStack *stack, const Surface *surface)
+{
+	inside_cross_at(stack, inside_find(stack, surface), surface);
 }
 
 bool inside_is_open(const InsideStack *stack)
@@ -58,12 +61,15 @@ static double top_ior(const InsideStack *stack, int except, double hue)
 	return top >= 0 ? ior_of(stack->items[top].interior, hue) : 1;
 }
 
+double inside_ratio_at(const InsideStack *stack, int at, const Surface *surface, double hue)
+{
+	double other = at >= 0 ? top_ior(stack, at, hue) : ior_of(surface->interior, hue);
+	return top_ior(stack, -1, hue) / other;
+}
+
 double inside_ratio_of_hue(const InsideStack *stack, const Surface *surface, double hue)
 {
-	int at = find(stack, surface);
-	double own = ior_of(surface->interior, hue);
-	return at >= 0 ? top_ior(stack, -1, hue) / top_ior(stack, at, hue)
-		       : top_ior(stack, -1, hue) / own;
+	return inside_ratio_at(stack, inside_find(stack, surface), surface, hue);
 }
 
 double inside_ratio(const InsideStack *stack, const Surface *surface)

@@ -80,11 +80,11 @@ Rgb shade_attenuation(const Interior *interior, double distance)
 {
 	if (!interior || interior->fade_power <= 0 || interior->fade_distance <= 0)
 		return rgb_all(1);
-	double depth = distance / interior->fade_distance;
+	float depth = (float)(distance / interior->fade_distance);
 	Rgb color = interior->fade_color;
 	if (interior->fade_power >= 1000)
-		return rgb((float)exp(-(1 - color.r) * depth), (float)exp(-(1 - color.g) * depth),
-		           (float)exp(-(1 - color.b) * depth));
-	float left = (float)(1 / (1 + pow(depth, interior->fade_power)));
+		return rgb(expf(-(1 - color.r) * depth), expf(-(1 - color.g) * depth),
+			   expf(-(1 - color.b) * depth));
+	float left = 1 / (1 + powf(depth, (float)interior->fade_power));
 	return rgb_lerp(color, rgb_all(1), left);
 }

@@ -22,9 +22,11 @@ double bsdf_fresnel(double cosine, double ior)
 	if (sine2 >= 1)
 		return 1;
 	double inner = sqrt(1 - sine2);
-	double s = (ior * cosine - inner) / (ior * cosine + inner);
-	double p = (cosine - ior * inner) / (cosine + ior * inner);
-	return (s * s + p * p) / 2;
+	/* ((ior cosine - inner) / (ior cosine + inner))^2 and ((cosine - ior inner) / (cosine + ior
+	 * inner))^2, halved, over one denominator: divisions are slow. */
+	double a = ior * cosine, b = ior * inner, across = a + inner, along = cosine + b;
+	double s = (a - inner) * along, p = (cosine - b) * across, all = across * along;
+	return (s * s + p * p) / (2 * all * all);
 }
 
 bool bsdf_refract(Vec3 direction, Vec3 normal, double ior, Vec3 *out)

@@ -129,9 +129,20 @@ def measure(program, folder, runs):
     return own, theirs, one, two, count
 
 
+def print_rays(program, runs):
+    """The mesh scene's rays beside the same ones through bare rtcIntersect1."""
+    text = next(photons for name, photons, _ in scenes() if name == "mesh")
+    with tempfile.TemporaryDirectory() as folder:
+        path = os.path.join(folder, "mesh.pov")
+        with open(path, "w", encoding="utf-8") as file:
+            file.write(text)
+        print("mesh:", run([os.path.abspath(program), path, str(runs)], folder)[1].strip(), flush=True)
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("--cognac", required=True)
+    parser.add_argument("--rays", help="the program that asks rtcIntersect1 for the paths' rays again")
     parser.add_argument("--runs", type=int, default=5)
     options = parser.parse_args()
     print("processor time of the photon stage per stored photon, aiming, tracing and sorting; medians of %d runs"
@@ -148,6 +159,8 @@ def main():
         print("%-6s %9d %9d %9.2f %9.2f %6.2f %6s %12.0f %12.0f %8.2f" % (
             name, count["ours"], count.get("theirs", 0), mine, other, other / mine, ">= 3", statistics.median(one),
             statistics.median(row[0] for row in two), statistics.median(row[1] for row in two)), flush=True)
+    if options.rays:
+        print_rays(options.rays, options.runs)
 
 
 if __name__ == "__main__":

@@ -1,8 +1,9 @@
-# Photon benchmarks: the photon stage beside POV-Ray's where it is installed, and the search tree beside nanoflann and
-# FLANN (Debian: libnanoflann-dev, libflann-dev, liblz4-dev, g++, for this only). Run by `make bench-photons` in the
-# build directory.
+# Photon benchmarks: the photon stage beside POV-Ray's where it is installed, the paths' rays beside
+# bare rtcIntersect1, and the search tree beside nanoflann and FLANN (Debian: libnanoflann-dev,
+# libflann-dev, liblz4-dev, g++, for this only). Run by `make bench-photons` in the build directory.
 set -e
-python3 "$SOURCES/tests/bench/photon_stage.py" --cognac "$COGNAC" --runs "${RUNS:-5}"
+python3 "$SOURCES/tests/bench/photon_stage.py" --cognac "$COGNAC" --rays tests/bench/photon-rays \
+	--runs "${RUNS:-5}"
 
 program=tests/bench/photon_tree
 missing=
