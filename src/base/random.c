@@ -2,6 +2,8 @@
 
 #include <assert.h>
 
+#include "base/vec.h"
+
 static const int primes[64] = {
 	2,   3,   5,   7,   11,  13,  17,  19,  23,  29,  31,  37,  41,  43,  47,  53,
 	59,  61,  67,  71,  73,  79,  83,  89,  97,  101, 103, 107, 109, 113, 127, 131,
@@ -51,7 +53,7 @@ static void append_digit(uint64_t first, uint64_t base, int count, const double 
 	int digit = (int)(first % base), last = (int)base - 1;
 	for (int i = 0; i < count; i++) {
 		double value = (digit + *upper) * inverse;
-		out[i] = value < 1 ? value : 0x1.fffffffffffffp-1;
+		out[i] = real_min(value, 0x1.fffffffffffffp-1);
 		upper += digit == last;
 		digit = digit == last ? 0 : digit + 1;
 	}

@@ -112,33 +112,54 @@ EmissionRegion emission_region(const Light *light, const EmissionAim *aim)
 
 /* ---- samples ---- */
 
-/* Cosine and sine of q pi/4, |q| <= 1: their Taylor series, to where a double's last bit ends. */
-static Vec2 octant_cosine_sine(double q)
+/* Compiled for wide registers as well; lanes do not change the bits. */
+#if defined(__x86_64__)
+#define CLONES __attribute__((target_clones("avx2", "default")))
+#else
+#define CLONES
+#endif
+
+/* Taylor series of the cosine of x and of the sine over x, by y = x^2: for |x| <= pi / 4 to where a
+ * double's last bit ends. */
+static inline double cosine_series(double y)
 {
-	enum { TERMS = 9 };
-	static const double cosine[TERMS] = {1, -1.0 / 2, 1.0 / 24, -1.0 / 720, 1.0 / 40320,
-		-1.0 / 3628800, 1.0 / 479001600, -1.0 / 87178291200, 1.0 / 20922789888000};
-	static const double sine[TERMS] = {1, -1.0 / 6, 1.0 / 120, -1.0 / 5040, 1.0 / 362880,
-		-1.0 / 39916800, 1.0 / 6227020800, -1.0 / 1307674368000, 1.0 / 355687428096000};
-	double x = M_PI / 4 * q, y = x * x, c = 0, s = 0;
-#pragma GCC unroll 9
-	for (int i = TERMS - 1; i >= 0; i--) {
-		c = c * y + cosine[i];
-		s = s * y + sine[i];
-	}
-	return (Vec2){c, x * s};
+	double c = 1.0 / 20922789888000;
+	c = c * y - 1.0 / 87178291200;
+	c = c * y + 1.0 / 479001600;
+	c = c * y - 1.0 / 3628800;
+	c = c * y + 1.0 / 40320;
+	c = c * y - 1.0 / 720;
+	c = c * y + 1.0 / 24;
+	return (c * y - 1.0 / 2) * y + 1;
 }
 
-/* The square to the unit disc, areas kept, neighbours kept (Shirley & Chiu 1997). */
-static Vec2 concentric_disc(double s, double t)
+static inline double sine_series(double y)
 {
-	double a = 2 * s - 1, b = 2 * t - 1;
-	bool wide = fabs(a) > fabs(b);
-	double r = wide ? a : b, across = wide ? b : a;
-	if (r == 0)
-		return (Vec2){0, 0};
-	Vec2 turn = octant_cosine_sine(across / r);
-	return wide ? (Vec2){r * turn.u, r * turn.v} : (Vec2){r * turn.v, r * turn.u};
+	double s = 1.0 / 355687428096000;
+	s = s * y - 1.0 / 1307674368000;
+	s = s * y + 1.0 / 6227020800;
+	s = s * y - 1.0 / 39916800;
+	s = s * y + 1.0 / 362880;
+	s = s * y - 1.0 / 5040;
+	s = s * y + 1.0 / 120;
+	return (s * y - 1.0 / 6) * y + 1;
+}
+
+/* Points (s, t) of the unit square to the unit disc, areas kept, neighbours kept (Shirley & Chiu
+ * 1997). */
+CLONES static void concentric_discs(int count, double *s, double *t)
+{
+#pragma omp simd
+	for (int i = 0; i < count; i++) {
+		double a = 2 * s[i] - 1, b = 2 * t[i] - 1;
+		/* Choices as products with 0 and 1, which lanes can take. */
+		double wide = fabs(a) > fabs(b), high = 1 - wide;
+		double r = wide * a + high * b, across = wide * b + high * a;
+		double x = M_PI / 4 * (across / (r + (r == 0))), y = x * x;
+		double cosine = r * cosine_series(y), sine = r * x * sine_series(y);
+		s[i] = wide * cosine + high * sine;
+		t[i] = wide * sine + high * cosine;
+	}
 }
 
 bool emission_takes_point(const Light *light)
@@ -187,19 +208,30 @@ Emission emission_from_disc(const EmissionRegion *region, Vec2 disc)
 			     : sample_cap(region, disc);
 }
 
-Emission emission_sample(const Light *light, const EmissionAim *aim, const EmissionRegion *region,
-			 const double s[4])
+static void sample_rectangle(const EmissionRegion *region, int count, const double *s,
+			     const double *t, Emission *out)
+{
+	for (int i = 0; i < count; i++) {
+		double a = 2 * s[i] - 1, b = 2 * t[i] - 1;
+		out[i] = sample_plane(region, a * region->side.u + b * region->across.u,
+				      a * region->side.v + b * region->across.v);
+	}
+}
+
+void emission_run(const EmissionRegion *region, int count, double *s, double *t, Emission *out)
 {
 	if (region->rectangle) {
-		double a = 2 * s[0] - 1, b = 2 * s[1] - 1;
-		return sample_plane(region, a * region->side.u + b * region->across.u,
-				    a * region->side.v + b * region->across.v);
+		sample_rectangle(region, count, s, t, out);
+		return;
 	}
-	Vec2 disc = concentric_disc(s[0], s[1]);
-	if (region->plane || !emission_takes_point(light))
-		return emission_from_disc(region, disc);
-	EmissionRegion seen = cap_region(light, area_origin(light, aim, s + 2), aim);
-	return sample_cap(&seen, disc);
+	concentric_discs(count, s, t);
+	for (int i = 0; i < count; i++)
+		out[i] = emission_from_disc(region, (Vec2){s[i], t[i]});
+}
+
+EmissionRegion emission_region_from(const Light *light, const EmissionAim *aim, const double s[2])
+{
+	return cap_region(light, area_origin(light, aim, s), aim);
 }
 
 /* As light_arrival, for lights that are as strong in all directions: how far the light has come is

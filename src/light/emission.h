@@ -57,14 +57,13 @@ EmissionRegion emission_region(const Light *light, const EmissionAim *aim);
 /* 2: coordinates on a plane; 3: on the sphere. */
 int emission_dimensions(const Light *light);
 
-/* Whether samples differ in the point of the light where they start: else the last two numbers mean
- * nothing. */
+/* Whether samples differ in the point of the light where they start, each with a region of its own:
+ * that seen from a point chosen by two numbers in [0, 1). */
 bool emission_takes_point(const Light *light);
+EmissionRegion emission_region_from(const Light *light, const EmissionAim *aim, const double s[2]);
 
-/* A sample, uniform over the region (emission_region of light and aim), from four numbers in [0,
- * 1); the last two choose the point of an area light. */
-Emission emission_sample(const Light *light, const EmissionAim *aim, const EmissionRegion *region,
-			 const double s[4]);
+/* Samples, uniform over the region, from two numbers in [0, 1) each; writes over the numbers. */
+void emission_run(const EmissionRegion *region, int count, double *s, double *t, Emission *out);
 
 /* The same for a point of the unit disc, from the light's own position; the cap's or disc's edge is
  * at radius 1. Not for rectangles. */

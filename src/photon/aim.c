@@ -137,41 +137,54 @@ static const uint64_t HALTON_SKIP = 1; /* index 0 is a corner in every dimension
 /* A coordinate of Halton points from number `index` on, shifted by the seed, in [0, 1). */
 static void halton_run(const PhotonAim *aim, uint64_t index, int dimension, int count, double *out)
 {
+	double shift = aim->shift[dimension];
 	random_halton_run(index, dimension, count, out);
+#pragma omp simd
 	for (int i = 0; i < count; i++) {
-		double number = out[i] + aim->shift[dimension];
-		out[i] = number - (number >= 1);
+		double number = out[i] + shift;
+		out[i] = number >= 1 ? number - 1 : number;
 	}
 }
 
 /* POV-Ray's jitter breaks the pattern of its photons: by at most half of it, as a share of the
- * photons' mean distance, in either direction. */
-static void jitter(const Scene *scene, const PhotonAim *aim, uint64_t number, double s[2])
+ * photons' mean distance, in either direction. number: of the first path. */
+static void jitter(const Scene *scene, const PhotonAim *aim, uint64_t number, int count,
+		   double *s[2])
 {
 	double width = scene->settings.photons.jitter / sqrt((double)aim->paths);
-	for (uint64_t k = 0; k < 2; k++) {
-		s[k] += width * (random_uniform((uint64_t)aim->target, number, k) - 0.5);
-		s[k] -= floor(s[k]);
+	for (int i = 0; i < count; i++, number++) {
+		for (uint64_t k = 0; k < 2; k++) {
+			double *at = &s[k][i];
+			*at += width * (random_uniform((uint64_t)aim->target, number, k) - 0.5);
+			*at -= floor(*at);
+		}
+	}
+}
+
+static void start_from_points(const Light *light, const PhotonAim *aim, int count, double *s[4],
+			      Emission *out)
+{
+	for (int i = 0; i < count; i++) {
+		double point[2] = {s[2][i], s[3][i]};
+		EmissionRegion region = emission_region_from(light, &aim->ball, point);
+		emission_run(&region, 1, &s[0][i], &s[1][i], &out[i]);
 	}
 }
 
 static void start_emissions(const Scene *scene, const PhotonAim *aim, uint64_t index, int count,
 			    Emission *out)
 {
-	double numbers[AIM_EMISSION_DIMENSIONS][PHOTON_STARTS_MAX];
+	double numbers[AIM_EMISSION_DIMENSIONS][PHOTON_STARTS_MAX], *s[AIM_EMISSION_DIMENSIONS];
 	const Light *light = &scene->lights[aim->light];
-	int dimensions = emission_takes_point(light) ? 4 : 2;
-	for (int k = 0; k < dimensions; k++)
-		halton_run(aim, index, k, count, numbers[k]);
-	bool jitters = scene->settings.photons.jitter > 0 && aim->paths > 0;
-	for (int i = 0; i < count; i++) {
-		double s[AIM_EMISSION_DIMENSIONS] = {0};
-		for (int k = 0; k < dimensions; k++)
-			s[k] = numbers[k][i];
-		if (jitters)
-			jitter(scene, aim, index - HALTON_SKIP + (uint64_t)i, s);
-		out[i] = emission_sample(light, &aim->ball, &aim->region, s);
-	}
+	bool points = !aim->region.plane && emission_takes_point(light);
+	for (int k = 0; k < (points ? 4 : 2); k++)
+		halton_run(aim, index, k, count, s[k] = numbers[k]);
+	if (scene->settings.photons.jitter > 0 && aim->paths > 0)
+		jitter(scene, aim, index - HALTON_SKIP, count, s);
+	if (points)
+		start_from_points(light, aim, count, s, out);
+	else
+		emission_run(&aim->region, count, s[0], s[1], out);
 }
 
 void photon_starts(const Scene *scene, const PhotonAim *aim, const PhotonTraceOptions *options,

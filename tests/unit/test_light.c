@@ -137,8 +137,9 @@ static void check_rectangle(void)
 	}
 	double most = 0;
 	for (int i = 0; i < 1000; i++) {
-		double s[4] = {i / 1000.0, i * 0.618 - floor(i * 0.618)};
-		Emission emission = emission_sample(&light, &aim, &region, s);
+		double s = i / 1000.0, t = i * 0.618 - floor(i * 0.618);
+		Emission emission;
+		emission_run(&region, 1, &s, &t, &emission);
 		Vec2 at = {emission.coordinates[0] - region.middle.u,
 			   emission.coordinates[1] - region.middle.v};
 		double a = share_along(at, region.side), b = share_along(at, region.across);
