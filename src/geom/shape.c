@@ -191,14 +191,10 @@ Vec3 hit_normal(const Hit *hit, Vec3 world)
 		hit, shape->class->normal(shape->data, hit, point_into_shape(shape, world)));
 }
 
-Vec3 hit_shading_normal(const Hit *hit, Vec3 world)
+Vec3 hit_shading_normal_anyhow(const Hit *hit, Vec3 world)
 {
 	const Shape *shape = hit->shape;
 	const ShapeClass *class = shape->class;
-	if (!shape->transform && class->unit_normal && !class->shading_normal) {
-		Vec3 n = class->normal(shape->data, hit, world);
-		return shape->inverted ? vec3_neg(n) : n;
-	}
 	Vec3 own = point_into_shape(shape, world);
 	return normal_to_world(hit, class->shading_normal
 					    ? class->shading_normal(shape->data, hit, own)

@@ -159,7 +159,16 @@ bool shape_is_bounded(const Shape *shape);
 /* At a hit on a primitive, world space, unit length. The geometric normal points outward
  * (inverted shapes: inward). */
 Vec3 hit_normal(const Hit *hit, Vec3 world);
-Vec3 hit_shading_normal(const Hit *hit, Vec3 world);
+Vec3 hit_shading_normal_anyhow(const Hit *hit, Vec3 world);
+/* The latter, at once for shapes of which the class alone says all. */
+static inline Vec3 hit_shading_normal(const Hit *hit, Vec3 world)
+{
+	const Shape *shape = hit->shape;
+	const ShapeClass *class = shape->class;
+	if (shape->transform || !class->unit_normal || class->shading_normal || shape->inverted)
+		return hit_shading_normal_anyhow(hit, world);
+	return class->normal(shape->data, hit, world);
+}
 /* Whether the surface is flat and shaded as such up to the edge of a face. shading: what
  * hit_shading_normal gives, on either side. */
 bool hit_is_flat(const Hit *hit, Vec3 world, Vec3 shading);

@@ -13,7 +13,7 @@ const void *sphere_create(Arena *arena, Vec3 center, double radius)
 }
 
 /* From the point of the line nearest to the centre, which keeps far origins exact. */
-bool sphere_cross(Vec3 center, double radius, const Ray *ray, double t[2])
+static inline bool cross(Vec3 center, double radius, const Ray *ray, double t[2])
 {
 	Vec3 from = vec3_sub(ray->origin, center);
 	double inverse2 = 1 / vec3_length2(ray->direction),
@@ -26,6 +26,11 @@ bool sphere_cross(Vec3 center, double radius, const Ray *ray, double t[2])
 	t[0] = middle - half;
 	t[1] = middle + half;
 	return true;
+}
+
+bool sphere_cross(Vec3 center, double radius, const Ray *ray, double t[2])
+{
+	return cross(center, radius, ray, t);
 }
 
 /* Only where the uv axes stay what they are. */
@@ -51,7 +56,7 @@ static void sphere_intersect(const Shape *self, const Ray *ray, HitList *out)
 {
 	const Sphere *sphere = self->data;
 	double t[2];
-	if (!sphere_cross(sphere->center, sphere->radius, ray, t))
+	if (!cross(sphere->center, sphere->radius, ray, t))
 		return;
 	hit_list_add(out, ray, self, t[0], 0);
 	hit_list_add(out, ray, self, t[1], 0);
@@ -61,9 +66,9 @@ static bool sphere_nearest(const Shape *self, const Ray *ray, Hit *out)
 {
 	const Sphere *sphere = self->data;
 	double t[2];
-	if (!sphere_cross(sphere->center, sphere->radius, ray, t))
+	if (!cross(sphere->center, sphere->radius, ray, t))
 		return false;
-	return hit_take(out, ray, self, t[0], 0) || hit_take(out, ray, self, t[1], 0);
+	return hit_take(out, ray, self, t[0] > ray->tmin ? t[0] : t[1], 0);
 }
 
 static bool sphere_inside(const void *data, Vec3 p)
