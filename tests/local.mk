@@ -91,17 +91,16 @@ bench-caustics: cognac$(EXEEXT) cognac-compare$(EXEEXT) pictures/dragon.inc
 
 # Footprints beside k nearest photons, on a map from emitter to floor that is known.
 EXTRA_PROGRAMS += tests/bench/footprint_trial
-tests_bench_footprint_trial_SOURCES = tests/bench/footprint_trial.c
+tests_bench_footprint_trial_SOURCES = tests/bench/footprint_trial.c tests/bench/known_map.h
 tests_bench_footprint_trial_LDADD = libdensity.a libphoton.a libscene.a libsurface.a libbase.a
-EXTRA_DIST += tests/bench/footprint.sh
-bench-footprint: cognac$(EXEEXT) cognac-compare$(EXEEXT) tests/bench/footprint_trial$(EXEEXT)
-	COGNAC=$(abs_builddir)/cognac COMPARE=$(abs_builddir)/cognac-compare SOURCES=$(abs_srcdir) \
-		TRIAL=tests/bench/footprint_trial sh $(srcdir)/tests/bench/footprint.sh footprint-bench $(BENCH_PASSES)
+bench-footprint: tests/bench/footprint_trial$(EXEEXT)
+	OMP_NUM_THREADS=1 tests/bench/footprint_trial 15000 60000
 .PHONY: bench-footprint
 
 # Ways to look footprints up: our tree, Embree's point queries, splatting.
 EXTRA_PROGRAMS += tests/bench/footprint_lookup
-tests_bench_footprint_lookup_SOURCES = tests/bench/footprint_lookup.c tests/bench/wave.h
+tests_bench_footprint_lookup_SOURCES = tests/bench/footprint_lookup.c tests/bench/known_map.h \
+	tests/bench/wave.h
 tests_bench_footprint_lookup_LDADD = libdensity.a libphoton.a libscene.a libsurface.a libbase.a $(EMBREE_LIBS)
 bench-footprint-lookup: tests/bench/footprint_lookup$(EXEEXT)
 	OMP_NUM_THREADS=1 tests/bench/footprint_lookup

@@ -17,6 +17,9 @@ typedef struct GatherPoint {
 	Vec3 position;
 	Vec3 normal;      /* unit, geometric, on the side that is seen */
 	double footprint; /* width of a pixel there, scene units; 0: unknown */
+	/* Unit, from the eye to here, and the picture's horizontal, which need not be unit or at
+	 * right angles to it: they say how the pixel lies on the surface. Zero: a square there. */
+	Vec3 view, across;
 	uint16_t object;  /* Surface.id */
 	bool both_sides;  /* photons on the far side count as well (double_illuminate) */
 } GatherPoint;
@@ -46,7 +49,7 @@ typedef struct EstimatorSetup {
 } EstimatorSetup;
 
 /* An estimator ready for one map: checks and prepares what the method needs (networks,
- * ellipses, radii from the photons). What setup points to, except the map, need not outlive
+ * sheets, radii from the photons). What setup points to, except the map, need not outlive
  * the call. NULL on failure, reported. */
 DensityEstimator *estimator_create(const EstimatorSetup *setup, Diag *diag);
 void estimator_destroy(DensityEstimator *estimator); /* NULL is allowed */

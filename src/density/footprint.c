@@ -1,68 +1,117 @@
 /*
- * Each photon's own footprint. Photons of one light that went the same way (same objects, same flat
- * faces, same events) to the same object sample one map from emitter coordinates (Spencer & Jones
- * 2013, section 4.1) to the surface. From its neighbours in emitter space a photon knows that map
- * nearby, and so the ellipse over which its share of the light spreads (footprint_shape.c): photon
- * differentials (Schjøth et al. 2007) without tracing any. Density is the sum of flux times the
- * ellipses' normalised kernels over those that cover the gather point.
+ * Light as the sheets that photons sample. Photons of one light that went the same way (same
+ * objects, same flat faces, same events) to the same object sample one map from emitter coordinates
+ * (Spencer & Jones 2013, section 4.1) to the surface. Triangulated over emitter space and taken to
+ * the surface by that map, the triangles are patches of light that meet without gaps and fold over
+ * one another as the sheet does (footprint_sheet.c): caustic volumes' triangles (Watt 1990, Nishita
+ * & Nakamae 1994), bent. What a gather point receives is the patches' light within the pixel that
+ * it stands for, over the pixel's area: no kernel, no bandwidth, and no noise but where the
+ * photons' own way is noisy. There each photon's light covers a disc, as with the nearest photons
+ * (footprint_parts.c).
  *
- * Where glass has parted the light, one photon has several: one for each band of hues
- * (footprint_hue.h).
- *
- * In a progressive pass all shares shrink in proportion to the pass' radius, so the mean over
- * passes converges as Knaus & Zwicker's does: a kernel keeps its integral and its place whatever
- * its shape.
+ * In progressive passes patches shrink towards their photons, so that what they get wrong vanishes
+ * from the mean over passes.
  */
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include "base/arena.h"
-#include "density/footprint_shape.h"
+#include "density/footprint_parts.h"
 #include "density/footprint_tree.h"
 #include "density/gather.h"
+#include "density/kernel.h"
 
 typedef struct FootprintMap {
-	FootprintTree tree;
-	uint32_t count;
-	Footprint *footprints;
+	FootprintTree patch_tree, disc_tree;
+	Patch *patches;
+	uint32_t patch_count;
+	Disc *discs;
+	double least_width; /* of a pixel, when that is not known */
 } FootprintMap;
 
-/* In the tree's order, in one block with it. */
-static FootprintMap *arrange(const Footprint *footprints, const Box3 *boxes, uint32_t count)
+/* ---- creation ---- */
+
+static size_t size_of_nodes(const FootprintTree *tree)
 {
-	uint32_t *order = memory_alloc(sizeof *order * (count + 1));
+	size_t nodes = tree->levels > 0 ? tree->level_start[tree->levels - 1] + 1u : 0;
+	return sizeof(FootprintNode) * nodes;
+}
+
+/* A tree over the boxes, and the order of what is in them. */
+static FootprintTree make_tree(const Box3 *boxes, uint32_t count, uint32_t *order)
+{
 	Box3 *ordered = memory_alloc(sizeof *ordered * (count + 1));
 	footprint_tree_order(boxes, count, order);
 	for (uint32_t i = 0; i < count; i++)
 		ordered[i] = boxes[order[i]];
 	FootprintTree tree = footprint_tree_build(ordered, count);
-	size_t nodes = tree.levels > 0 ? tree.level_start[tree.levels - 1] + 1u : 0;
-	size_t size = sizeof(FootprintMap) + sizeof(FootprintNode) * nodes + sizeof(Footprint) * count;
-	FootprintMap *f = memory_alloc(size);
-	*f = (FootprintMap){.tree = tree, .count = count};
-	f->tree.nodes = (FootprintNode *)(f + 1);
-	f->footprints = (Footprint *)(f->tree.nodes + nodes);
-	memcpy(f->tree.nodes, tree.nodes, sizeof(FootprintNode) * nodes);
-	for (uint32_t i = 0; i < count; i++)
-		f->footprints[i] = footprints[order[i]];
-	free(tree.nodes);
 	free(ordered);
-	free(order);
+	return tree;
+}
+
+static Vec3 normal_of(const PhotonMap *map, uint32_t photon)
+{
+	return photon_normal(&map->photons[photon]);
+}
+
+static Box3 disc_box(const Disc *disc, Vec3 normal)
+{
+	static const double thickness = 0.25;
+	double r = disc->radius, n[3] = {normal.x, normal.y, normal.z}, reach[3];
+	for (int k = 0; k < 3; k++)
+		reach[k] = r * (sqrt(fmax(0, 1 - n[k] * n[k])) + thickness * fabs(n[k]));
+	Vec3 at = vec3(disc->at[0], disc->at[1], disc->at[2]);
+	Vec3 e = vec3(reach[0], reach[1], reach[2]);
+	return (Box3){vec3_sub(at, e), vec3_add(at, e)};
+}
+
+/* Trees and parts in one block. */
+static FootprintMap *arrange(const FootprintParts *parts, const PhotonMap *map)
+{
+	uint32_t patches = parts->patches.count, discs = parts->disc_count;
+	uint32_t most = patches > discs ? patches : discs;
+	Box3 *boxes = memory_alloc(sizeof *boxes * ((size_t)most + 1));
+	uint32_t *patch_order = memory_alloc(sizeof *patch_order * ((size_t)patches + 1)),
+		 *disc_order = memory_alloc(sizeof *disc_order * ((size_t)discs + 1));
+	for (uint32_t i = 0; i < patches; i++)
+		boxes[i] = footprint_patch_box(&parts->patches.all[i],
+					       normal_of(map, parts->patches.all[i].photon));
+	FootprintTree patch_tree = make_tree(boxes, patches, patch_order);
+	for (uint32_t i = 0; i < discs; i++)
+		boxes[i] = disc_box(&parts->discs[i], normal_of(map, parts->discs[i].photon));
+	FootprintTree disc_tree = make_tree(boxes, discs, disc_order);
+	free(boxes);
+	size_t patch_nodes = size_of_nodes(&patch_tree), disc_nodes = size_of_nodes(&disc_tree);
+	FootprintMap *f = memory_alloc(sizeof *f + patch_nodes + disc_nodes +
+				       sizeof(Patch) * patches + sizeof(Disc) * discs);
+	*f = (FootprintMap){.patch_tree = patch_tree,
+	                    .disc_tree = disc_tree,
+	                    .patch_count = patches,
+	                    .least_width = map->spacing > 0 ? 1e-3 * map->spacing : 1e-6};
+	char *at = (char *)(f + 1);
+	f->patch_tree.nodes = memcpy(at, patch_tree.nodes, patch_nodes);
+	f->disc_tree.nodes = memcpy(at += patch_nodes, disc_tree.nodes, disc_nodes);
+	f->patches = (Patch *)(at += disc_nodes);
+	f->discs = (Disc *)(at + sizeof(Patch) * patches);
+	for (uint32_t i = 0; i < patches; i++)
+		f->patches[i] = parts->patches.all[patch_order[i]];
+	for (uint32_t i = 0; i < discs; i++)
+		f->discs[i] = parts->discs[disc_order[i]];
+	free(patch_tree.nodes);
+	free(disc_tree.nodes);
+	free(patch_order);
+	free(disc_order);
 	return f;
 }
 
 static void *footprint_create(const EstimatorSetup *setup, Diag *diag)
 {
 	(void)diag;
-	const PhotonMap *map = setup->map;
-	FootprintList list = footprint_shapes(setup);
-	Box3 *boxes = memory_alloc(sizeof *boxes * (list.count + 1));
-	for (uint32_t i = 0; i < list.count; i++)
-		boxes[i] = footprint_box(&list.all[i], photon_normal(&map->photons[list.all[i].photon]));
-	FootprintMap *f = arrange(list.all, boxes, list.count);
-	free(boxes);
-	free(list.all);
+	FootprintParts parts = footprint_parts(setup);
+	FootprintMap *f = arrange(&parts, setup->map);
+	free(parts.patches.all);
+	free(parts.discs);
 	return f;
 }
 
@@ -71,39 +120,114 @@ static void *footprint_create(const EstimatorSetup *setup, Diag *diag)
 typedef struct Gathering {
 	GatherSum sum;
 	const FootprintMap *map;
-	float at[3];
-	double pixel2; /* what a pixel adds to an axis' square */
+	PatchWindow window;
+	double density; /* 1 over the window's area */
+	double width2;  /* of the window, mean square */
 	double radius;
 } Gathering;
 
-static void add_footprint(Gathering *g, uint32_t number)
+/* Patches lie in their surface but for how that curves: gather_accepts' bounds, about a corner. */
+static void add_patch(Gathering *g, uint32_t number)
 {
-	const Footprint *f = &g->map->footprints[number];
-	const float x[3] = {g->at[0] - f->at[0], g->at[1] - f->at[1], g->at[2] - f->at[2]};
-	const GatherTask *task = g->sum.task;
-	const Photon *photon = &task->map->photons[f->photon];
-	double radius, value = footprint_value(f, x, g->pixel2, &radius);
-	if (!(value > 0) || !gather_accepts(task->point, photon, radius))
+	const Patch *patch = &g->map->patches[number];
+	double share = footprint_patch_share(patch, &g->window);
+	if (!(share > 0))
 		return;
-	gather_add_flux(&g->sum, photon, f->flux, value);
+	const GatherTask *task = g->sum.task;
+	const Photon *photon = &task->map->photons[patch->photon];
+	double radius = footprint_patch_extent(patch) + sqrt(g->width2);
+	if (!gather_accepts(task->point, photon, radius))
+		return;
+	gather_add_flux(&g->sum, photon, patch->flux, share * g->density);
 	g->radius += radius;
 }
 
-static void add_footprints(void *data, const uint32_t *numbers, int count)
+static void add_patches(void *data, const uint32_t *numbers, int count)
 {
 	for (int i = 0; i < count; i++)
-		add_footprint(data, numbers[i]);
+		add_patch(data, numbers[i]);
+}
+
+static void add_disc(Gathering *g, uint32_t number)
+{
+	const Disc *disc = &g->map->discs[number];
+	const GatherTask *task = g->sum.task;
+	const Photon *photon = &task->map->photons[disc->photon];
+	double x = g->window.at[0] - disc->at[0], y = g->window.at[1] - disc->at[1],
+	       z = g->window.at[2] - disc->at[2];
+	/* A pixel's variance along an axis is a twelfth of its square, the kernel's a sixth. */
+	double radius2 = (double)disc->radius * disc->radius + g->width2 / 2;
+	double value = kernel_value(KERNEL_EPANECHNIKOV, (x * x + y * y + z * z) / radius2);
+	if (!(value > 0) || !gather_accepts(task->point, photon, sqrt(radius2)))
+		return;
+	gather_add_flux(&g->sum, photon, disc->flux, value / radius2);
+	g->radius += sqrt(radius2);
+}
+
+static void add_discs(void *data, const uint32_t *numbers, int count)
+{
+	for (int i = 0; i < count; i++)
+		add_disc(data, numbers[i]);
+}
+
+/* The sides of what a pixel sees of the surface: a square across the view, seen along it. */
+static void pixel_sides(const GatherPoint *point, double width, Vec3 sides[2])
+{
+	static const double least_cosine = 0.05;
+	double cosine = vec3_dot(point->view, point->normal);
+	Vec3 along = vec3_scale(point->view, vec3_dot(point->across, point->view));
+	Vec3 across = vec3_sub(point->across, along);
+	double length = vec3_length(across);
+	if (!(length > 0) || fabs(cosine) < least_cosine) {
+		vec3_frame(point->normal, &sides[0], &sides[1]);
+		cosine = 1;
+	} else {
+		sides[0] = vec3_scale(across, 1 / length);
+		sides[1] = vec3_cross(point->view, sides[0]);
+	}
+	for (int i = 0; i < 2; i++) {
+		double off = vec3_dot(sides[i], point->normal) / cosine;
+		sides[i] = vec3_scale(vec3_mad(sides[i], -off, point->view), width);
+	}
+}
+
+static void to_doubles(Vec3 v, double scale, double out[3])
+{
+	out[0] = scale * v.x;
+	out[1] = scale * v.y;
+	out[2] = scale * v.z;
+}
+
+static Gathering begin(const FootprintMap *map, const GatherTask *task, Vec3 sides[2])
+{
+	const GatherPoint *point = task->point;
+	Gathering g = {.sum = {.task = task}, .map = map};
+	pixel_sides(point, fmax(point->footprint, map->least_width), sides);
+	Vec3 normal = vec3_cross(sides[0], sides[1]);
+	double area2 = vec3_dot(normal, normal);
+	to_doubles(point->position, 1, g.window.at);
+	to_doubles(vec3_cross(sides[1], normal), 1 / area2, g.window.x);
+	to_doubles(vec3_cross(normal, sides[0]), 1 / area2, g.window.y);
+	g.density = 1 / sqrt(area2);
+	g.width2 = sqrt(area2);
+	return g;
+}
+
+static Box3 box_around(Vec3 at, Vec3 reach)
+{
+	return (Box3){vec3_sub(at, reach), vec3_add(at, reach)};
 }
 
 static void footprint_gather(const void *method, const GatherTask *task, GatherResult *result)
 {
-	Vec3 p = task->point->position;
-	double width = task->point->footprint, pixel2 = width * width / 12 / footprint_variance;
-	Gathering g = {.sum = {.task = task}, .map = method, .pixel2 = pixel2,
-	               .at = {(float)p.x, (float)p.y, (float)p.z}};
-	Vec3 reach = vec3_all(sqrt(pixel2));
-	Box3 box = {vec3_sub(p, reach), vec3_add(p, reach)};
-	footprint_tree_visit(&g.map->tree, box, add_footprints, &g);
+	const FootprintMap *map = method;
+	Vec3 at = task->point->position, s[2];
+	Gathering g = begin(map, task, s);
+	Vec3 reach = vec3(0.5 * (fabs(s[0].x) + fabs(s[1].x)), 0.5 * (fabs(s[0].y) + fabs(s[1].y)),
+			  0.5 * (fabs(s[0].z) + fabs(s[1].z)));
+	footprint_tree_visit(&map->patch_tree, box_around(at, reach), add_patches, &g);
+	reach = vec3_all(sqrt(g.width2 / 2));
+	footprint_tree_visit(&map->disc_tree, box_around(at, reach), add_discs, &g);
 	gather_finish(&g.sum, g.sum.photons > 0 ? g.radius / g.sum.photons : 0, result);
 }
 

@@ -1,95 +1,126 @@
-/*
- * A border shows as a void: a segment of the disc around the photon that neighbours should lie in,
- * and none does. The direction with the largest such segment is taken, then the next one among
- * those that point elsewhere, counting what the first has left.
- */
-#include "density/footprint_border.h"
+#include "density/footprint_mesh.h"
 
 #include <math.h>
-#include <stdbool.h>
-#include <stddef.h>
+#include <stdlib.h>
+#include <string.h>
 
-enum { DIRECTIONS = 32, POINTS = 64 };
+#include "base/arena.h"
 
-/* So many neighbours must be missing. Roulette at surfaces that split light makes holes by chance:
- * with three, kernels were cut in the midst of sheets. */
-static const double least_missing = 5;
-
-/* Points that fill the disc evenly: the sunflower's (Vogel 1979). */
-static void sunflower(int i, double radius, double at[2])
+/* No other triangle has b followed by a. */
+static bool is_border(const Sheet *s, uint32_t a, uint32_t b)
 {
-	double r = radius * sqrt((i + 0.5) / POINTS), angle = i * (M_PI * (3 - sqrt(5)));
-	at[0] = r * cos(angle);
-	at[1] = r * sin(angle);
+	for (uint32_t k = s->first[b]; k < s->first[b + 1]; k++)
+		if (s->ring[k] == a)
+			return false;
+	return true;
 }
 
-static double along(const double a[2], const double b[2]) { return a[0] * b[0] + a[1] * b[1]; }
-
-/* How far neighbours reach in a direction, the photon itself included. */
-static double reach_of(const BorderSearch *search, const double toward[2])
+static EdgeList find_border(Sheet *s)
 {
-	double reach = 0, window2 = search->window * search->window;
-	for (int i = 0; i < search->count; i++) {
-		const double *d = search->samples[i].d;
-		if (along(d, d) <= window2)
-			reach = fmax(reach, along(d, toward));
+	EdgeList list = {memory_alloc(sizeof(Edge) * (3 * (size_t)s->triangle_count + 1)), 0};
+	for (uint32_t t = 0; t < s->triangle_count; t++) {
+		for (int k = 0; k < 3; k++) {
+			uint32_t a = s->triangles[t][k], b = s->triangles[t][(k + 1) % 3];
+			if (is_border(s, a, b))
+				list.all[list.count++] =
+					(Edge){a, b, s->triangles[t][(k + 2) % 3]};
+		}
 	}
-	return reach;
+	return list;
 }
 
-/* Area of the disc's segment beyond the border. */
-static double segment_area(double radius, double distance)
+/* How much of the full angle the triangles around fill. */
+static void set_covered(Sheet *s)
 {
-	double t = fmax(-1, fmin(1, distance / radius));
-	return radius * radius * (acos(t) - t * sqrt(1 - t * t));
-}
-
-/* The same without what another border cuts off. */
-static double area_between(double radius, const Border *border, const Border *other)
-{
-	int between = 0;
-	for (int i = 0; i < POINTS; i++) {
-		double at[2];
-		sunflower(i, radius, at);
-		between += along(at, border->toward) > border->distance &&
-		           along(at, other->toward) < other->distance;
+	for (uint32_t t = 0; t < s->triangle_count; t++) {
+		for (int k = 0; k < 3; k++) {
+			Vertex *a = &s->vertices[s->triangles[t][k]];
+			const double *b = s->vertices[s->triangles[t][(k + 1) % 3]].e,
+				     *c = s->vertices[s->triangles[t][(k + 2) % 3]].e;
+			double along = (b[0] - a->e[0]) * (c[0] - a->e[0]) +
+				       (b[1] - a->e[1]) * (c[1] - a->e[1]);
+			a->covered += atan2(footprint_cross(a->e, b, c), along) / (2 * M_PI);
+		}
 	}
-	return M_PI * radius * radius * between / POINTS;
 }
 
-/* The sheet goes on beyond its outermost photon by what lies between two at that depth. */
-static double gap_beyond(const BorderSearch *search, double reach)
+static void add_normal(Vertex *v, double nu, double nv, double length)
 {
-	double w = search->window, chord = 2 * sqrt(fmax(w * w - reach * reach, 0));
-	return chord > 0 ? search->share / chord : 0;
+	v->out[0] += nu;
+	v->out[1] += nv;
+	v->border += 0.5 * length;
 }
 
-/* other: NULL for the first one. */
-static bool find_border(const BorderSearch *search, const Border *other, Border *found)
+/*
+ * A vertex on the border has room inside the triangles for the part of its light that its angle
+ * there is of the full one; for the rest the sheet goes on outside as far as it takes. Of what is
+ * alone at the end of a spike not all finds room.
+ */
+static void set_width(Vertex *v)
 {
-	double most = least_missing * search->share;
-	bool any = false;
-	for (int k = 0; k < DIRECTIONS; k++) {
-		double angle = 2 * M_PI * k / DIRECTIONS;
-		Border border = {{cos(angle), sin(angle)}, 0};
-		border.distance = reach_of(search, border.toward);
-		double missing = segment_area(search->window, border.distance);
-		if (missing > most && other)
-			missing = area_between(search->window, &border, other);
-		if (missing <= most)
+	static const double most = 0.8; /* spaces of a photon */
+	double square = v->out[0] * v->out[0] + v->out[1] * v->out[1];
+	double space = v->area / v->count, missing = 1 - v->covered;
+	double width = missing * space / v->border;
+	v->kept = 1;
+	if (width > most * sqrt(space)) {
+		v->kept = v->covered + missing * most * sqrt(space) / width;
+		width = most * sqrt(space);
+	}
+	/* The sum of two unit normals, cut to the length that makes the strip as wide. */
+	double scale = width * fmin(2 / fmax(square, 1e-9), 2 / sqrt(fmax(square, 1e-9)));
+	v->out[0] *= scale;
+	v->out[1] *= scale;
+}
+
+/* Draws each place outside nearer to the middle of the two beside it along the border, which
+ * straightens what chance has made of it. */
+static void straighten(Sheet *s, const EdgeList *border)
+{
+	enum { ROUNDS = 2 };
+	double (*pull)[3] = memory_alloc(sizeof *pull * s->count);
+	for (int round = 0; round < ROUNDS; round++) {
+		memset(pull, 0, sizeof *pull * s->count);
+		for (uint32_t i = 0; i < border->count; i++) {
+			uint32_t a = border->all[i].a, b = border->all[i].b;
+			for (int k = 0; k < 2; k++) {
+				const Vertex *u = &s->vertices[a], *v = &s->vertices[b];
+				double way = v->e[k] + v->out[k] - u->e[k] - u->out[k];
+				pull[a][k] += way;
+				pull[b][k] -= way;
+			}
+			pull[a][2]++;
+			pull[b][2]++;
+		}
+		for (uint32_t i = 0; i < s->count; i++)
+			for (int k = 0; k < 2 && pull[i][2] == 2; k++)
+				s->vertices[i].out[k] += 0.25 * pull[i][k];
+	}
+	free(pull);
+}
+
+static void set_outward(Sheet *s, const EdgeList *border)
+{
+	set_covered(s);
+	for (uint32_t i = 0; i < border->count; i++) {
+		Vertex *a = &s->vertices[border->all[i].a], *b = &s->vertices[border->all[i].b];
+		double du = b->e[0] - a->e[0], dv = b->e[1] - a->e[1], length = hypot(du, dv);
+		if (!(length > 0))
 			continue;
-		most = missing;
-		*found = border;
-		any = true;
+		add_normal(a, dv / length, -du / length, length);
+		add_normal(b, dv / length, -du / length, length);
 	}
-	if (any)
-		found->distance += gap_beyond(search, found->distance);
-	return any;
+	for (uint32_t i = 0; i < s->count; i++) {
+		s->vertices[i].kept = s->vertices[i].used;
+		if (s->vertices[i].border > 0)
+			set_width(&s->vertices[i]);
+	}
+	straighten(s, border);
 }
 
-int footprint_borders(const BorderSearch *search, Border out[MOST_BORDERS])
+EdgeList footprint_border_make(Sheet *s)
 {
-	if (!find_border(search, NULL, &out[0]))
-		return 0;
-	return find_border(search, &out[0], &out[1]) ? 2 : 1;
+	EdgeList border = find_border(s);
+	set_outward(s, &border);
+	return border;
 }

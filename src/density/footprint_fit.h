@@ -13,9 +13,6 @@
 
 #include <stdbool.h>
 
-/* A symmetric 2 x 2 matrix. */
-typedef struct Symmetric { double uu, uv, vv; } Symmetric;
-
 typedef struct FitSample {
 	double d[2]; /* in the parameters, relative to the photon, up to about 1 */
 	double x[2]; /* on the surface, relative to the photon */
@@ -24,25 +21,13 @@ typedef struct FitSample {
 
 typedef struct FootprintFit {
 	double jacobian[2][2]; /* of coordinate i by parameter j */
-	Symmetric hessian[2];  /* of coordinate i */
-	double hue[2], hue_curve[2]; /* first and second derivative by hue */
-	Symmetric residual;    /* mean square of what the fit leaves */
-	double misfit;         /* mean square residual with every sample counting alike */
-	double roughness;      /* residual's share of the samples' mean square, 0..1 */
+	double hue[2];       /* first derivative by hue */
+	double roughness;    /* residual's share of the samples' mean square, 0..1 */
 } FootprintFit;
 
 enum { FIT_MOST_SAMPLES = 64 };
 
 /* False when the samples don't say: fewer than six or in a line. */
 bool footprint_fit(const FitSample *samples, int count, FootprintFit *fit);
-
-/* Where the map takes a round normal distribution of the parameters of variance s2: mean and
- * covariance, exact for the quadratic map. */
-typedef struct FootprintSpread {
-	double mean[2];
-	Symmetric linear, curved; /* parts of the covariance */
-} FootprintSpread;
-
-FootprintSpread footprint_spread(const FootprintFit *fit, double s2);
 
 #endif

@@ -33,15 +33,6 @@ int footprint_hue_of(const FootprintHues *hues, Rgb flux)
 	return best;
 }
 
-Rgb footprint_hue_band(const FootprintHues *hues, int band, int bands)
-{
-	Rgb sum = {0, 0, 0};
-	for (int i = 0; i < FOOTPRINT_HUES; i++)
-		if (i * bands / FOOTPRINT_HUES == band)
-			sum = rgb_add(sum, rgb_scale(hues->color[i], 1.0f / FOOTPRINT_HUES));
-	return sum;
-}
-
 bool footprint_hue_is_pure(Rgb flux)
 {
 	static const float least_saturation = 0.3f;

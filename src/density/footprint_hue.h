@@ -1,8 +1,7 @@
 /*
  * Light that glass has parted: each photon has one hue, at random. Where a sheet goes is a function
- * of emitter coordinates and hue; so a photon's share is spread over hues too, and a photon of any
- * hue stands for all of them, each at its own place. Red and violet neighbours no longer make
- * coloured noise.
+ * of emitter coordinates and hue; so the spectrum is cut into slices, each with a sheet of its own
+ * (footprint_parts.c), and red and violet neighbours make no coloured noise.
  */
 #ifndef DENSITY_FOOTPRINT_HUE_H
 #define DENSITY_FOOTPRINT_HUE_H
@@ -19,9 +18,6 @@ typedef struct FootprintHues { Rgb color[FOOTPRINT_HUES]; } FootprintHues;
 FootprintHues footprint_hues(void);
 /* The number of the colour nearest to a flux; the sheet's flux at its place is 1. */
 int footprint_hue_of(const FootprintHues *hues, Rgb flux);
-/* The colour of a band when the spectrum is cut into so many; they add up to white. */
-Rgb footprint_hue_band(const FootprintHues *hues, int band, int bands);
-
 /* Whether this flux is of one hue. */
 bool footprint_hue_is_pure(Rgb flux);
 

@@ -23,7 +23,7 @@ typedef struct EstimatorMethod {
 extern const EstimatorMethod nearest_method;   /* nearest.c: k nearest, or a fixed radius */
 extern const EstimatorMethod diffusion_method; /* diffusion.c */
 extern const EstimatorMethod expand_method;    /* expand.c: as POV-Ray gathers */
-extern const EstimatorMethod footprint_method; /* footprint.c: ellipses from emitter space */
+extern const EstimatorMethod footprint_method; /* footprint.c: sheets over emitter space */
 
 /* More photons than this per gather point are refused: they stand on the stack. */
 enum { ESTIMATOR_MOST_PHOTONS = 10000 };

@@ -144,6 +144,7 @@ void caustics_gather(const Caustics *caustics, const LitPoint *at, const Bsdf *b
 	const Row *row = find_row(caustics, at->surface->estimator);
 	GatherPoint point = {
 		.position = at->p, .normal = bsdf->geometric, .footprint = at->footprint,
+		.view = at->view, .across = at->across,
 		.object = (uint16_t)at->surface->id, .both_sides = bsdf_sees_back(bsdf),
 	};
 	estimator_gather(row ? row->estimator : caustics->rows[0].estimator, &point,

@@ -17,7 +17,7 @@ typedef struct CausticOptions {
 /* What it took to create, seconds. */
 typedef struct CausticTimes {
 	double index;      /* the search tree */
-	double estimators; /* what they prepare: footprints' ellipses, for one */
+	double estimators; /* what they prepare: footprints' sheets, for one */
 } CausticTimes;
 
 /* False, reported, when an estimator needs what the scene has turned off. switched stands for the

@@ -10,6 +10,7 @@ typedef struct LitPoint {
 	const Surface *surface;
 	const InsideStack *inside; /* of the ray that sees it */
 	double footprint;          /* width of a sample's share of the picture there */
+	Vec3 view, across;         /* the ray's direction, and the picture's horizontal */
 } LitPoint;
 
 /* Light of all sources that the surface sends to the viewer. */

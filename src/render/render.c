@@ -281,6 +281,8 @@ static void set_sample_size(const Render *render, Tracer *tracer)
 		return;
 	tracer->sample_width = vec3_distance(a.origin, b.origin) / finer;
 	tracer->sample_spread = vec3_distance(a.direction, b.direction) / finer;
+	tracer->sample_across = vec3_add(vec3_sub(b.origin, a.origin),
+					 vec3_sub(b.direction, a.direction));
 }
 
 static void create_workers(Render *render, const Scene *scene)

@@ -202,7 +202,9 @@ static Seen shade_stack(Tracer *tracer, const PathRay *path, const Shaded *shade
 	bsdf_init(&bsdf, &shading->layers[stack->first], stack->count, &place);
 	double distance = path->distance + point->hit->t;
 	double footprint = tracer->sample_width + tracer->sample_spread * distance;
-	LitPoint lit = {point->at.world, point->surface, &path->inside, footprint};
+	LitPoint lit = {.p = point->at.world, .surface = point->surface, .inside = &path->inside,
+	                .footprint = footprint, .view = path->ray.direction,
+	                .across = tracer->sample_across};
 	Seen sum = {.color = bsdf_emission(&bsdf, tracer->ambient_light)};
 	sum.color = rgb_add(sum.color, lighting_at(tracer, &lit, &bsdf));
 	if (tracer->caustics)

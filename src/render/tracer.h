@@ -37,6 +37,7 @@ typedef struct Tracer {
 	Vec3 eye_place;          /* where that was found out */
 	double sample_width, sample_spread; /* of a sample's share of the picture, at the eye and
 					       per distance from it */
+	Vec3 sample_across;      /* the picture's horizontal, of any length */
 	Sampler sampler;         /* set for each sample of a pixel */
 	RenderStatistics statistics;
 } Tracer;

@@ -1,56 +1,28 @@
 /*
- * Four ways to find the footprints that cover gather points, with the same ellipses and the same
- * sums: the product's tree of boxes; Embree's point queries over the same boxes as user geometry;
- * and splatting, where each footprint looks for the gather points in it, with a search tree over
- * the points and a ball, or with a tree of boxes over the points and the footprint's box. Gather
+ * Two ways to find the patches that a pixel meets, with the same patches and the same sums: the
+ * product's tree of boxes, and Embree's point queries over the same boxes as user geometry. Gather
  * points are 320 x 320 over the wave's caustic (wave.h), row by row as pixels are. Takes turns, one
  * thread; prints medians of five turns of processor time, microseconds a gather point, and the
  * ratio to 50 nearest photons, at most 2 being asked.
  *
  *   footprint_lookup [photons ...]
- *
- * Splatting is given for nothing that a renderer must first trace and keep all gather points.
  */
-#include "density/footprint.c" /* for the ellipses themselves */
+#include "density/footprint.c" /* for the patches themselves */
 
 #include <embree3/rtcore.h>
 #include <stdio.h>
 
 #include "base/clock.h"
+#include "tests/bench/known_map.h"
 #include "tests/bench/wave.h"
 
 enum { SIDE = 320, POINTS = SIDE * SIDE, RUNS = 5 };
 
+static void wave_way(double u, double v, double to[2]) { wave_map(u, v, to); }
+
 static PhotonMap *make_map(uint32_t count)
 {
-	double side = 1 + 2 * WAVE_MARGIN;
-	PhotonMap *map = photon_map_create();
-	map->count = count;
-	map->photons = calloc(count, sizeof(Photon));
-	map->lights = calloc(1, sizeof(PhotonLight));
-	map->light_count = 1;
-	map->lights[0] = (PhotonLight){count, side * side, 2};
-	for (uint32_t i = 0; i < count; i++) {
-		double from[2], to[2];
-		wave_start(i + 1, from);
-		wave_map(from[0], from[1], to);
-		Photon *p = &map->photons[i];
-		*p = (Photon){.position = {(float)to[0], 0, (float)to[1]},
-			      .emitter = {(float)from[0], (float)from[1]},
-			      .edges = 2};
-		photon_set_flux(p, rgb_scale(rgb(1, 1, 1), (float)(side * side / count)));
-		photon_set_direction(p, vec3(0, 1, 0));
-		photon_set_normal(p, vec3(0, 1, 0));
-	}
-	photon_map_index(map, 0);
-	return map;
-}
-
-static Rgb white(void *data, Vec3 direction)
-{
-	(void)data;
-	(void)direction;
-	return rgb(1, 1, 1);
+	return known_map_make(&(KnownMap){wave_way, -WAVE_MARGIN, 1 + 2 * WAVE_MARGIN}, count, 0);
 }
 
 /* ---- what is compared ---- */
@@ -61,26 +33,16 @@ typedef struct Bench {
 	DensityEstimator *nearest;
 	GatherPoint *points;
 	GatherTask *tasks;
-	float (*places)[3]; /* of the points */
 	RTCDevice device;
 	RTCScene scene;
-	Box3 *boxes; /* of the footprints */
+	Box3 *boxes; /* of the patches */
 	GatherResult *results;
 } Bench;
-
-/* What footprint_gather begins with. */
-static Gathering begin(const Bench *b, uint32_t point)
-{
-	double width = b->points[point].footprint, pixel2 = width * width / 12 / footprint_variance;
-	return (Gathering){.sum = {.task = &b->tasks[point]}, .map = b->footprints,
-			   .pixel2 = pixel2,
-			   .at = {b->places[point][0], b->places[point][1], b->places[point][2]}};
-}
 
 static void gather_nearest_photons(Bench *b)
 {
 	for (uint32_t i = 0; i < POINTS; i++)
-		estimator_gather(b->nearest, &b->points[i], white, NULL, &b->results[i]);
+		estimator_gather(b->nearest, &b->points[i], known_map_white, NULL, &b->results[i]);
 }
 
 static void gather_by_tree(Bench *b)
@@ -91,94 +53,25 @@ static void gather_by_tree(Bench *b)
 
 static bool embree_visit(struct RTCPointQueryFunctionArguments *a)
 {
-	add_footprint(a->userPtr, a->primID);
+	add_patch(a->userPtr, a->primID);
 	return false; /* the radius stays */
 }
 
+/* No photon of this map is left to a disc but a few at the border. */
 static void gather_by_embree(Bench *b)
 {
 	struct RTCPointQueryContext context;
 	rtcInitPointQueryContext(&context);
 	for (uint32_t i = 0; i < POINTS; i++) {
-		Gathering g = begin(b, i);
-		struct RTCPointQuery query = {g.at[0], g.at[1], g.at[2], 0, (float)sqrt(g.pixel2)};
+		Vec3 sides[2], p = b->points[i].position;
+		Gathering g = begin(b->footprints, &b->tasks[i], sides);
+		struct RTCPointQuery query = {(float)p.x, (float)p.y, (float)p.z, 0,
+					      (float)sqrt(0.5 * g.width2)};
 		rtcPointQuery(b->scene, &query, &context, embree_visit, &g);
+		footprint_tree_visit(&b->footprints->disc_tree,
+				     box_around(p, vec3_all(sqrt(0.5 * g.width2))), add_discs, &g);
 		gather_finish(&g.sum, 0, &b->results[i]);
 	}
-}
-
-/* ---- splatting ---- */
-
-typedef struct Splat {
-	Gathering *sums;
-	const uint32_t *order; /* of the points in the tree of boxes */
-	uint32_t footprint;
-} Splat;
-
-static void splat_found(void *data, const Neighbor *found, int count)
-{
-	const Splat *s = data;
-	for (int i = 0; i < count; i++)
-		add_footprint(&s->sums[found[i].index], s->footprint);
-}
-
-static void splat_points(void *data, const uint32_t *points, int count)
-{
-	const Splat *s = data;
-	for (int i = 0; i < count; i++)
-		add_footprint(&s->sums[s->order[points[i]]], s->footprint);
-}
-
-static Gathering *begin_all(const Bench *b)
-{
-	Gathering *sums = malloc(sizeof *sums * POINTS);
-	for (uint32_t i = 0; i < POINTS; i++)
-		sums[i] = begin(b, i);
-	return sums;
-}
-
-static void finish_all(Bench *b, Gathering *sums)
-{
-	for (uint32_t i = 0; i < POINTS; i++)
-		gather_finish(&sums[i].sum, 0, &b->results[i]);
-	free(sums);
-}
-
-static void splat_balls(Bench *b)
-{
-	TreePoints points = {
-		.position = b->places[0], .count = POINTS, .stride = sizeof *b->places};
-	PhotonTree *tree = photon_tree_create(&points);
-	Splat splat = {.sums = begin_all(b)};
-	for (uint32_t i = 0; i < b->footprints->count; i++) {
-		const Footprint *f = &b->footprints->footprints[i];
-		float radius = (float)sqrt(f->most * f->most + splat.sums->pixel2) * 1.0001f;
-		splat.footprint = i;
-		photon_tree_within(tree, f->at, radius, splat_found, &splat);
-	}
-	finish_all(b, splat.sums);
-	photon_tree_destroy(tree);
-}
-
-static void splat_boxes(Bench *b)
-{
-	Box3 *boxes = malloc(sizeof *boxes * POINTS);
-	uint32_t *order = malloc(sizeof *order * POINTS);
-	photon_tree_morton(b->places[0], POINTS, sizeof *b->places, order);
-	for (uint32_t i = 0; i < POINTS; i++)
-		boxes[i].lo = boxes[i].hi = b->points[order[i]].position;
-	FootprintTree tree = footprint_tree_build(boxes, POINTS);
-	Splat splat = {.sums = begin_all(b), .order = order};
-	Vec3 reach = vec3_all(sqrt(splat.sums->pixel2));
-	for (uint32_t i = 0; i < b->footprints->count; i++) {
-		Box3 box = {vec3_sub(b->boxes[i].lo, reach), vec3_add(b->boxes[i].hi, reach)};
-		splat.footprint = i;
-		footprint_tree_visit(&tree, box, splat_points, &splat);
-	}
-	finish_all(b, splat.sums);
-	free(tree.nodes);
-	free(order);
-	free(boxes);
 }
 
 /* ---- preparation ---- */
@@ -197,7 +90,7 @@ static void build_embree(Bench *b)
 {
 	RTCGeometry geometry = rtcNewGeometry(b->device, RTC_GEOMETRY_TYPE_USER);
 	b->scene = rtcNewScene(b->device);
-	rtcSetGeometryUserPrimitiveCount(geometry, b->footprints->count);
+	rtcSetGeometryUserPrimitiveCount(geometry, b->footprints->patch_count);
 	rtcSetGeometryUserData(geometry, b->boxes);
 	rtcSetGeometryBoundsFunction(geometry, embree_bounds, NULL);
 	rtcSetGeometryBuildQuality(geometry, RTC_BUILD_QUALITY_HIGH);
@@ -212,16 +105,12 @@ static void make_points(Bench *b)
 {
 	b->points = malloc(sizeof *b->points * POINTS);
 	b->tasks = malloc(sizeof *b->tasks * POINTS);
-	b->places = malloc(sizeof *b->places * POINTS);
 	b->results = calloc(POINTS, sizeof *b->results);
 	for (uint32_t i = 0; i < POINTS; i++) {
 		Vec3 at = vec3((i % SIDE + 0.5) / SIDE, 0, ((double)(i / SIDE) + 0.5) / SIDE);
 		b->points[i] = (GatherPoint){
 			.position = at, .normal = vec3(0, 1, 0), .footprint = 1.0 / SIDE};
-		b->tasks[i] = (GatherTask){b->map, &b->points[i], white, NULL};
-		b->places[i][0] = (float)at.x;
-		b->places[i][1] = (float)at.y;
-		b->places[i][2] = (float)at.z;
+		b->tasks[i] = (GatherTask){b->map, &b->points[i], known_map_white, NULL};
 	}
 }
 
@@ -235,10 +124,10 @@ static void prepare(Bench *b, const PhotonMap *map, Diag *diag)
 	*b = (Bench){.map = map, .nearest = estimator_create(&setup, diag)};
 	setup.method = &footprint;
 	b->footprints = footprint_create(&setup, diag);
-	b->boxes = malloc(sizeof *b->boxes * b->footprints->count);
-	for (uint32_t i = 0; i < b->footprints->count; i++) {
-		const Footprint *f = &b->footprints->footprints[i];
-		b->boxes[i] = footprint_box(f, photon_normal(&map->photons[f->photon]));
+	b->boxes = malloc(sizeof *b->boxes * b->footprints->patch_count);
+	for (uint32_t i = 0; i < b->footprints->patch_count; i++) {
+		const Patch *patch = &b->footprints->patches[i];
+		b->boxes[i] = footprint_patch_box(patch, normal_of(map, patch->photon));
 	}
 	make_points(b);
 	b->device = rtcNewDevice("threads=1");
@@ -256,7 +145,6 @@ static void dismiss(Bench *b)
 	free(b->boxes);
 	free(b->points);
 	free(b->tasks);
-	free(b->places);
 	free(b->results);
 }
 
@@ -287,9 +175,7 @@ static int compare(uint32_t photons, Diag *diag)
 {
 	Way ways[] = {{.name = "50 nearest photons", .gather = gather_nearest_photons},
 		      {.name = "tree of boxes", .gather = gather_by_tree},
-		      {.name = "Embree's point queries", .gather = gather_by_embree},
-		      {.name = "splatting, balls", .gather = splat_balls},
-		      {.name = "splatting, boxes", .gather = splat_boxes}};
+		      {.name = "Embree's point queries", .gather = gather_by_embree}};
 	enum { WAYS = sizeof ways / sizeof *ways };
 	int wrong = 0;
 	Bench b;

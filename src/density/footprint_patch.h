@@ -1,0 +1,36 @@
+/*
+ * A patch of a sheet: a triangle of emitter space as a quadratic map takes it to the surface, in
+ * Bézier's form, with the flux that lands on it, even over the emitter's side.
+ */
+#ifndef DENSITY_FOOTPRINT_PATCH_H
+#define DENSITY_FOOTPRINT_PATCH_H
+
+#include <stdint.h>
+
+#include "base/color.h"
+#include "base/vec.h"
+
+/* Control points 0 to 2 are the corners, 3 to 5 those of the edges 0 1, 1 2, 2 0. */
+typedef struct Patch {
+	float control[6][3]; /* world */
+	float sweep[3];      /* the patch's light is smeared this far, half to either side: hues */
+	Rgb flux;
+	uint32_t photon;     /* one at a corner: says direction and surface */
+} Patch;
+
+/* The part of a patch between three points, given as barycentric coordinates of the corners; may
+ * lie beyond the corners. Flux stays. */
+void footprint_patch_cut(const Patch *patch, const double corners[3][3], Patch *out);
+/* All of it and a little more along the normal. */
+Box3 footprint_patch_box(const Patch *patch, Vec3 normal);
+/* How far the longest side reaches. */
+double footprint_patch_extent(const Patch *patch);
+
+/* Where light is counted: a parallelogram around the origin; x and y are dual to its sides: a
+ * point is in it when both products are within a half. */
+typedef struct PatchWindow { double at[3], x[3], y[3]; } PatchWindow;
+
+/* The share of a patch's light that falls into the window. */
+double footprint_patch_share(const Patch *patch, const PatchWindow *window);
+
+#endif
