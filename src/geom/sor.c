@@ -61,7 +61,8 @@ const void *sor_create(Arena *arena, const SorDesc *desc, const char **error)
 	if (!*error &&
 	    (p[2].v == p[0].v || p[desc->point_count - 1].v == p[desc->point_count - 3].v))
 		*error =
-			"the end points of a sor must differ in height from their second neighbours";
+			"the end points of a sor must differ in height "
+			"from their second neighbours";
 	if (*error)
 		return NULL;
 	Sor *sor = ARENA_NEW(arena, Sor);

@@ -51,7 +51,8 @@ static const char constraint_properties[] =
 	"property float along_x\nproperty float along_y\nproperty float along_z\n"
 	"property float across_x\nproperty float across_y\nproperty float across_z\n";
 static const char light_properties[] =
-	"property double paths\nproperty double parameter_area\nproperty uchar parameter_dimensions\n";
+	"property double paths\nproperty double parameter_area\n"
+	"property uchar parameter_dimensions\n";
 
 /* ---- writing ---- */
 

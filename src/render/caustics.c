@@ -33,7 +33,8 @@ static void check_surface(void *data, const Surface *surface)
 	if (check->failed || !estimator || estimator->kind != ESTIMATOR_FOOTPRINT)
 		return;
 	check->failed = true;
-	diag_error(check->diag, estimator->where, "the estimator footprint needs emitter_coordinates");
+	diag_error(check->diag, estimator->where,
+		   "the estimator footprint needs emitter_coordinates");
 }
 
 bool caustics_check(const Scene *scene, const Estimator *switched, Diag *diag)
