@@ -69,18 +69,14 @@ Box3 footprint_patch_box(const Patch *patch, Vec3 normal)
 /* A patch in the window's coordinates, in which that is the unit square around the origin. */
 typedef struct Piece { double x[6], y[6]; } Piece;
 
-/* In place of fmin and fmax, which are calls. */
-static double lesser(double a, double b) { return a < b ? a : b; }
-static double greater(double a, double b) { return a > b ? a : b; }
-
 static double least_of(const double v[6])
 {
-	return lesser(lesser(lesser(v[0], v[1]), lesser(v[2], v[3])), lesser(v[4], v[5]));
+	return real_min(real_min(real_min(v[0], v[1]), real_min(v[2], v[3])), real_min(v[4], v[5]));
 }
 
 static double most_of(const double v[6])
 {
-	return greater(greater(greater(v[0], v[1]), greater(v[2], v[3])), greater(v[4], v[5]));
+	return real_max(real_max(real_max(v[0], v[1]), real_max(v[2], v[3])), real_max(v[4], v[5]));
 }
 
 typedef enum Side { OUTSIDE, INSIDE, ACROSS } Side;
@@ -102,7 +98,7 @@ static Side piece_side(const Piece *p)
 	return y == OUTSIDE ? OUTSIDE : x == INSIDE && y == INSIDE ? INSIDE : ACROSS;
 }
 
-static double clamp_half(double x) { return greater(-0.5, lesser(0.5, x)); }
+static double clamp_half(double x) { return real_max(-0.5, real_min(0.5, x)); }
 
 /* Integral of clamp_half. */
 static double clamped_integral(double x)
@@ -138,7 +134,7 @@ static double triangle_share(const double x[3], const double y[3])
 		int next = (i + 1) % 3;
 		inside += edge_area(x[i], y[i], x[next], y[next]);
 	}
-	return greater(0, lesser(1, inside / area));
+	return real_max(0, real_min(1, inside / area));
 }
 
 /* The square of how far the edges' control points are from the middles. */
@@ -149,7 +145,7 @@ static double bend2_of(const Piece *p)
 		int next = (i + 1) % 3;
 		double x = p->x[3 + i] - 0.5 * (p->x[i] + p->x[next]);
 		double y = p->y[3 + i] - 0.5 * (p->y[i] + p->y[next]);
-		most = greater(most, x * x + y * y);
+		most = real_max(most, x * x + y * y);
 	}
 	return most;
 }
@@ -218,8 +214,8 @@ static void meet_axis(double lo, double hi, double way, double *from, double *to
 			*to = *from;
 		return;
 	}
-	*from = greater(*from, lesser(a, b));
-	*to = lesser(*to, greater(a, b));
+	*from = real_max(*from, real_min(a, b));
+	*to = real_min(*to, real_max(a, b));
 }
 
 static Piece piece_moved(const Piece *piece, double x, double y)
@@ -241,7 +237,7 @@ static double small_swept_share(const Piece *piece, double x, double y)
 	meet_axis(least_of(piece->y), most_of(piece->y), y, &from, &to);
 	if (!(to > from))
 		return 0;
-	double steps = ceil(lesser(MOST_STEPS, (to - from) * greater(fabs(x), fabs(y))));
+	double steps = ceil(real_min(MOST_STEPS, (to - from) * real_max(fabs(x), fabs(y))));
 	for (int s = 0; s < steps; s++) {
 		double t = from + (s + 0.5) / steps * (to - from);
 		Piece at = piece_moved(piece, t * x, t * y);
@@ -259,10 +255,10 @@ static double chord(const double x[3], const double y[3], double at, double reac
 		if ((y[i] < at) == (y[next] < at))
 			continue;
 		double cross = x[i] + (at - y[i]) / (y[next] - y[i]) * (x[next] - x[i]);
-		lo = lesser(lo, cross);
-		hi = greater(hi, cross);
+		lo = real_min(lo, cross);
+		hi = real_max(hi, cross);
 	}
-	return greater(0, lesser(hi, 0.5 * reach) - greater(lo, -0.5 * reach));
+	return real_max(0, real_min(hi, 0.5 * reach) - real_max(lo, -0.5 * reach));
 }
 
 /* A piece much larger than the window, swept along x: how long the window's lines are in it. */
@@ -276,7 +272,7 @@ static double large_swept_share(const Piece *piece, double reach, int depth)
 		double area = 0.5 * fabs((x[1] - x[0]) * (y[2] - y[0]) -
 					 (x[2] - x[0]) * (y[1] - y[0]));
 		double inside = chord(x, y, -0.25, reach) + chord(x, y, 0.25, reach);
-		return 0.5 * inside / (reach * greater(area, 1e-3));
+		return 0.5 * inside / (reach * real_max(area, 1e-3));
 	}
 	Piece parts[4];
 	double sum = 0;
