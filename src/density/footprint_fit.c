@@ -83,7 +83,7 @@ static void solve(double m[TERMS][TERMS], int terms, double *x)
 	}
 }
 
-static double median(const double *values, int count)
+double footprint_median(const double *values, int count)
 {
 	double v[FIT_MOST_SAMPLES];
 	memcpy(v, values, sizeof *v * (size_t)count);
@@ -111,7 +111,7 @@ static double median(const double *values, int count)
 /* Weights from squared distances, of which twice the median counts half. */
 static void weigh(const FitSample *samples, const double *distance2, int count, double *weights)
 {
-	double scale = 2 * median(distance2, count);
+	double scale = 2 * footprint_median(distance2, count);
 	for (int i = 0; i < count; i++) {
 		double d2 = samples[i].d[0] * samples[i].d[0] + samples[i].d[1] * samples[i].d[1];
 		double near = exp(-d2);

@@ -6,6 +6,7 @@
 
 #include "base/arena.h"
 #include "density/footprint_delaunay.h"
+#include "density/footprint_fit.h"
 #include "photon/tree.h"
 
 static Vec3 vec3_of(const float v[3]) { return vec3(v[0], v[1], v[2]); }
@@ -13,12 +14,6 @@ static Vec3 vec3_of(const float v[3]) { return vec3(v[0], v[1], v[2]); }
 static const Photon *photon_of(const Sheet *s, uint32_t vertex)
 {
 	return &s->task->map->photons[s->task->photons[s->order[vertex]]];
-}
-
-static int compare_doubles(const void *a, const void *b)
-{
-	double x = *(const double *)a, y = *(const double *)b;
-	return (x > y) - (x < y);
 }
 
 /* ---- chart ---- */
@@ -142,8 +137,7 @@ static void set_space(Sheet *s, uint32_t vertex)
 	int count = 0;
 	for (uint32_t k = s->first[vertex]; k < s->first[vertex + 1] && count < MOST; k++)
 		areas[count++] = area_of(s, s->triangles[s->ring[k]]);
-	qsort(areas, (size_t)count, sizeof *areas, compare_doubles);
-	s->vertices[vertex].space = count > 0 ? 2 * areas[count / 2] : 0;
+	s->vertices[vertex].space = count > 0 ? 2 * footprint_median(areas, count) : 0;
 }
 
 /* Triangles that reach over a gap of the sheet or along its border: their circles are large beside

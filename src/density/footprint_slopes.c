@@ -12,12 +12,6 @@
 #include "base/parallel.h"
 #include "density/footprint_fit.h"
 
-static int compare_doubles(const void *a, const void *b)
-{
-	double x = *(const double *)a, y = *(const double *)b;
-	return (x > y) - (x < y);
-}
-
 enum { RING_MOST = 40 };
 
 /* Neighbours and theirs, each once, without the vertex. */
@@ -85,8 +79,7 @@ static double stretch_of(const Sheet *s, const Vertex *v, uint32_t vertex)
 		ratios[count++] = vec3_distance(next->at, v->at) /
 				  hypot(next->e[0] - v->e[0], next->e[1] - v->e[1]);
 	}
-	qsort(ratios, (size_t)count, sizeof *ratios, compare_doubles);
-	return count > 0 ? ratios[count / 2] : 0;
+	return count > 0 ? footprint_median(ratios, count) : 0;
 }
 
 /* Slopes by hue are averaged: some vertices' do. */
