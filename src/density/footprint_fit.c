@@ -7,7 +7,6 @@
 #include "density/footprint_fit.h"
 
 #include <math.h>
-#include <stdlib.h>
 #include <string.h>
 
 /* Without hues the last two terms are left out. */
