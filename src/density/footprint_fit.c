@@ -9,6 +9,8 @@
 #include <math.h>
 #include <string.h>
 
+#include "base/cholesky.h"
+
 /* Without hues the last two terms are left out. */
 enum { TERMS = 7, HUE = 5, LEAST_SAMPLES = 6, ROUNDS = 2 };
 
@@ -51,35 +53,18 @@ static void make_equations(const FitSample *samples, const double *weights, int 
 		e->matrix[i][i] += ridge * total;
 }
 
-/* Cholesky's factor, in the lower half; false when the matrix is singular. */
-static bool factor(double m[TERMS][TERMS], int terms)
+/* Of a term, the least share that those before it must leave. */
+static const double singular = 1e-9;
+
+static bool solve(Equations *e)
 {
-	for (int i = 0; i < terms; i++) {
-		double before = m[i][i];
-		for (int j = 0; j <= i; j++) {
-			double sum = m[i][j];
-			for (int k = 0; k < j; k++)
-				sum -= m[i][k] * m[j][k];
-			if (i == j && !(sum > 1e-9 * before))
-				return false;
-			m[i][j] = i == j ? sqrt(sum) : sum / m[j][j];
-		}
+	if (!cholesky_factor(e->matrix[0], TERMS, e->terms, singular))
+		return false;
+	for (int k = 0; k < 2; k++) {
+		cholesky_forward(e->matrix[0], TERMS, e->terms, e->right[k]);
+		cholesky_back(e->matrix[0], TERMS, e->terms, e->right[k]);
 	}
 	return true;
-}
-
-static void solve(double m[TERMS][TERMS], int terms, double *x)
-{
-	for (int i = 0; i < terms; i++) {
-		for (int k = 0; k < i; k++)
-			x[i] -= m[i][k] * x[k];
-		x[i] /= m[i][i];
-	}
-	for (int i = terms - 1; i >= 0; i--) {
-		for (int k = i + 1; k < terms; k++)
-			x[i] -= m[k][i] * x[k];
-		x[i] /= m[i][i];
-	}
 }
 
 double footprint_median(const double *values, int count)
@@ -162,10 +147,8 @@ bool footprint_fit(const FitSample *samples, int count, FootprintFit *fit)
 	for (int round = 0; round < ROUNDS; round++) {
 		weigh(samples, distance2, count, weights);
 		make_equations(samples, weights, count, &e);
-		if (!factor(e.matrix, e.terms))
+		if (!solve(&e))
 			return false;
-		solve(e.matrix, e.terms, e.right[0]);
-		solve(e.matrix, e.terms, e.right[1]);
 		set_residuals(samples, count, e.right, residuals, distance2);
 	}
 	for (int k = 0; k < 2; k++) {

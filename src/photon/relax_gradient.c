@@ -11,6 +11,8 @@
 
 #include <math.h>
 
+#include "base/cholesky.h"
+
 #if defined(__x86_64__) && defined(__GNUC__) && !defined(__SANITIZE_ADDRESS__)
 #define CLONES __attribute__((target_clones("avx2", "default")))
 #else
@@ -102,6 +104,8 @@ static inline double product(const Columns *columns, int a, int b)
 
 /* Light of one colour has nothing in the first columns: a touch of a ridge keeps them apart. */
 static const double RIDGE = 1e-6;
+/* Of a term, the least share that those before it must leave. */
+static const double SINGULAR = 1e-6;
 
 CLONES static void make_equations(const Columns *columns, Fit *fit)
 {
@@ -116,40 +120,17 @@ CLONES static void make_equations(const Columns *columns, Fit *fit)
 	fit->squares = product(columns, X, X) + product(columns, Y, Y);
 }
 
-/* Cholesky's factor; false when the matrix is as good as singular. */
-static bool factorize(double m[TERMS][TERMS])
-{
-	for (int i = 0; i < TERMS; i++) {
-		double before = m[i][i];
-		for (int j = 0; j <= i; j++) {
-			double sum = m[i][j];
-			for (int k = 0; k < j; k++)
-				sum -= m[i][k] * m[j][k];
-			if (i == j && !(sum > 1e-6 * before))
-				return false;
-			m[i][j] = i == j ? sqrt(sum) : sum / m[j][j];
-		}
-	}
-	return true;
-}
-
 /* Solves for one side; what each term explains beyond those before it is taken from the squares.
  * Returns what the curvature explains. */
 static double solve(Fit *fit, double x[TERMS])
 {
 	double curved = 0;
+	cholesky_forward(fit->matrix[0], TERMS, TERMS, x);
 	for (int i = 0; i < TERMS; i++) {
-		for (int k = 0; k < i; k++)
-			x[i] -= fit->matrix[i][k] * x[k];
-		x[i] /= fit->matrix[i][i];
 		fit->squares -= x[i] * x[i];
 		curved += i >= AA ? x[i] * x[i] : 0;
 	}
-	for (int i = TERMS - 1; i >= 0; i--) {
-		for (int k = i + 1; k < TERMS; k++)
-			x[i] -= fit->matrix[k][i] * x[k];
-		x[i] /= fit->matrix[i][i];
-	}
+	cholesky_back(fit->matrix[0], TERMS, TERMS, x);
 	return curved;
 }
 
@@ -180,7 +161,7 @@ Vec3 relax_gradient(const RelaxSet *set, uint32_t i, const Neighbor *near, int f
 		return vec3(0, 0, 0);
 	fill_columns(set, i, near, found, axes, radius, &columns);
 	make_equations(&columns, &fit);
-	if (!factorize(fit.matrix))
+	if (!cholesky_factor(fit.matrix[0], TERMS, TERMS, SINGULAR))
 		return vec3(0, 0, 0);
 	double curved = solve(&fit, fit.map[0]) + solve(&fit, fit.map[1]);
 	double chance = 2 * CURVED * fmax(fit.squares, 0) / (2 * (columns.count - TERMS));

@@ -1,5 +1,6 @@
-/* Arena, transforms, random numbers and diagnostics. */
+/* Arena, small systems, transforms, random numbers and diagnostics. */
 #include "base/arena.h"
+#include "base/cholesky.h"
 #include "base/diag.h"
 #include "base/parallel.h"
 #include "base/random.h"
@@ -139,6 +140,35 @@ static void test_parallel(void)
 		CHECK(squares[i] == i * i);
 }
 
+/* M = L L' with a known L, x known, in rows longer than the system. */
+static void test_cholesky(void)
+{
+	enum { SIZE = 3, STRIDE = 4 };
+	const double l[SIZE][SIZE] = {{2, 0, 0}, {-1, 3, 0}, {0.5, 4, 1}}, x[SIZE] = {1, -2, 7};
+	double m[SIZE][STRIDE] = {{0}}, b[SIZE] = {0};
+	for (int i = 0; i < SIZE; i++) {
+		for (int j = 0; j < SIZE; j++) {
+			double sum = 0;
+			for (int k = 0; k < SIZE; k++)
+				sum += l[i][k] * l[j][k];
+			m[i][j] = j <= i ? sum : NAN;
+			b[i] += sum * x[j];
+		}
+	}
+	CHECK(cholesky_factor(m[0], STRIDE, SIZE, 1e-9));
+	for (int i = 0; i < SIZE; i++)
+		for (int j = 0; j <= i; j++)
+			CHECK_NEAR(m[i][j], l[i][j], 1e-12);
+	cholesky_forward(m[0], STRIDE, SIZE, b);
+	for (int i = 0; i < SIZE; i++) /* L' x */
+		CHECK_NEAR(b[i], l[0][i] * x[0] + l[1][i] * x[1] + l[2][i] * x[2], 1e-12);
+	cholesky_back(m[0], STRIDE, SIZE, b);
+	for (int i = 0; i < SIZE; i++)
+		CHECK_NEAR(b[i], x[i], 1e-12);
+	double twice[2][2] = {{1, 0}, {2, 4}}; /* the second unknown is twice the first */
+	CHECK(!cholesky_factor(twice[0], 2, 2, 1e-9));
+}
+
 int main(void)
 {
 	test_arena();
@@ -147,5 +177,6 @@ int main(void)
 	test_frame();
 	test_diag();
 	test_parallel();
+	test_cholesky();
 	return CHECK_RESULT();
 }
