@@ -265,6 +265,16 @@ static struct RTCRay embree_ray(Query *query, double enter, double leave)
 	};
 }
 
+/* Embree leaves out what is larger, and aborts on NaN. */
+static const double EMBREE_LARGEST = 1e18;
+
+/* False for a ray from or to nowhere, such as a camera that looks at infinity has: it hits nothing. */
+static bool embree_takes(const struct RTCRay *ray)
+{
+	return fabsf(ray->org_x) + fabsf(ray->org_y) + fabsf(ray->org_z) < EMBREE_LARGEST &&
+	       fabsf(ray->dir_x) + fabsf(ray->dir_y) + fabsf(ray->dir_z) < EMBREE_LARGEST;
+}
+
 /* Embree's nearest crossing. Without a filter of its own the query asks no triangle on the way but
  * the one that Embree ends with; false when double precision then disagrees. */
 static bool query_nearest(Query *query, struct RTCRay ray, bool ask_each)
@@ -291,6 +301,8 @@ static void query_embree(Query *query)
 		return;
 	rtcInitIntersectContext(&query->embree);
 	struct RTCRay ray = embree_ray(query, range[0], range[1]);
+	if (!embree_takes(&ray))
+		return;
 	if (query->any) {
 		query->embree.filter = filter_triangle;
 		rtcOccluded1(query->accel->scene, &query->embree, &ray);
@@ -379,6 +391,12 @@ static bool is_plain_mesh(const Shape *shape)
 	return shape->class == &mesh_class && !shape->clip_count && !shape->bound_count;
 }
 
+static bool is_within_embree(const Shape *shape)
+{
+	Vec3 far = vec3_max(shape->box.hi, vec3_neg(shape->box.lo));
+	return fmax(far.x, fmax(far.y, far.z)) < 0.1 * EMBREE_LARGEST;
+}
+
 static long sort_shapes(Accel *accel, const Shape *const *shapes, int count)
 {
 	long primitives = 0;
@@ -386,7 +404,7 @@ static long sort_shapes(Accel *accel, const Shape *const *shapes, int count)
 		const Shape *shape = shapes[i];
 		if (box3_is_empty(shape->box))
 			continue;
-		if (!shape_is_bounded(shape)) {
+		if (!shape_is_bounded(shape) || !is_within_embree(shape)) {
 			accel->direct[accel->direct_count++] = shape;
 			continue;
 		}

@@ -123,6 +123,23 @@ static void check_containing(Arena *arena)
 	accel_destroy(accel);
 }
 
+/* Rays from and to nowhere hit nothing. */
+static void check_nowhere(const Shape *const *shapes, int count)
+{
+	Accel *accel = accel_create(shapes, count);
+	Ray rays[] = {
+		{{0, 0, -9}, {NAN, NAN, NAN}, 1e-6, INFINITY},
+		{{0, NAN, -9}, {0, 0, 1}, 1e-6, INFINITY},
+		{{0, 0, -INFINITY}, {0, 0, 1}, 1e-6, INFINITY},
+	};
+	for (int i = 0; i < 3; i++) {
+		Hit hit;
+		CHECK(!accel_nearest(accel, &rays[i], NULL, NULL, &hit));
+		CHECK(!accel_any(accel, &rays[i], NULL, NULL));
+	}
+	accel_destroy(accel);
+}
+
 int main(void)
 {
 	Arena *arena = arena_create();
@@ -131,6 +148,11 @@ int main(void)
 		shapes[i] = small_shape(arena, (uint64_t)i);
 	check_rays(shapes, MOST, 20);
 	check_rays(shapes, MOST, 1e6);
+	check_nowhere(shapes, MOST);
+	const Shape *small = shapes[7];
+	shapes[7] = finish(arena, &sphere_class, sphere_create(arena, vec3(0, 0, 4e25), 1e25));
+	check_rays(shapes, MOST, 20);
+	shapes[7] = small;
 	shapes[5] = NULL;
 	check_rays(shapes, 5, 20);
 	const char *error = NULL;
