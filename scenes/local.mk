@@ -1,6 +1,6 @@
 # Scenes of caustics. `make scenes` renders them into pictures/ of the build directory; `make pictures/ring.png` one of them,
 # SCENES_FLAGS='+W640 +H480 Declare=Photon_Count=1000000' better.
-SCENES = cognac crab dragon egg halogen pool pool_night prism ring rings wine
+SCENES = cognac cognac_sheets crab dragon egg halogen pool pool_night prism ring rings wine
 SCENES_FLAGS = +W320 +H240
 EXTRA_DIST += $(SCENES:%=scenes/%.pov) scenes/cognac.png scenes/dragon.py scenes/relaxation.png
 CLEANFILES += pictures/*.png pictures/dragon.inc
