@@ -119,30 +119,27 @@ EmissionRegion emission_region(const Light *light, const EmissionAim *aim)
 #define CLONES
 #endif
 
-/* Taylor series of the cosine of x and of the sine over x, by y = x^2: for |x| <= pi / 4 to where a
- * double's last bit ends. */
-static inline double cosine_series(double y)
-{
-	double c = 1.0 / 20922789888000;
-	c = c * y - 1.0 / 87178291200;
-	c = c * y + 1.0 / 479001600;
-	c = c * y - 1.0 / 3628800;
-	c = c * y + 1.0 / 40320;
-	c = c * y - 1.0 / 720;
-	c = c * y + 1.0 / 24;
-	return (c * y - 1.0 / 2) * y + 1;
-}
+enum { TERMS = 9 };
 
-static inline double sine_series(double y)
+/* Taylor series by y = x^2, highest power first, of the cosine of x and of the sine over x: for |x|
+ * <= pi / 4 to where a double's last bit ends. */
+static const double cosine_terms[TERMS] = {
+	1.0 / 20922789888000, -1.0 / 87178291200, 1.0 / 479001600, -1.0 / 3628800, 1.0 / 40320,
+	-1.0 / 720, 1.0 / 24, -1.0 / 2, 1};
+static const double sine_terms[TERMS] = {
+	1.0 / 355687428096000, -1.0 / 1307674368000, 1.0 / 6227020800, -1.0 / 39916800,
+	1.0 / 362880, -1.0 / 5040, 1.0 / 120, -1.0 / 6, 1};
+
+static inline double series(const double terms[TERMS], double y)
 {
-	double s = 1.0 / 355687428096000;
-	s = s * y - 1.0 / 1307674368000;
-	s = s * y + 1.0 / 6227020800;
-	s = s * y - 1.0 / 39916800;
-	s = s * y + 1.0 / 362880;
-	s = s * y - 1.0 / 5040;
-	s = s * y + 1.0 / 120;
-	return (s * y - 1.0 / 6) * y + 1;
+	double sum = terms[0] * y + terms[1];
+	sum = sum * y + terms[2];
+	sum = sum * y + terms[3];
+	sum = sum * y + terms[4];
+	sum = sum * y + terms[5];
+	sum = sum * y + terms[6];
+	sum = sum * y + terms[7];
+	return sum * y + terms[8];
 }
 
 /* Points (s, t) of the unit square to the unit disc, areas kept, neighbours kept (Shirley & Chiu
@@ -156,7 +153,7 @@ CLONES static void concentric_discs(int count, double *s, double *t)
 		double wide = fabs(a) > fabs(b), high = 1 - wide;
 		double r = wide * a + high * b, across = wide * b + high * a;
 		double x = M_PI / 4 * (across / (r + (r == 0))), y = x * x;
-		double cosine = r * cosine_series(y), sine = r * x * sine_series(y);
+		double cosine = r * series(cosine_terms, y), sine = r * x * series(sine_terms, y);
 		s[i] = wide * cosine + high * sine;
 		t[i] = wide * sine + high * cosine;
 	}
@@ -174,38 +171,14 @@ static Vec3 area_origin(const Light *light, const EmissionAim *aim, const double
 }
 
 /* At a point of the plane, from the region's middle. */
-static Emission sample_plane(const EmissionRegion *region, double u, double v)
+static void sample_plane(const EmissionRegion *region, double u, double v, Emission *out)
 {
-	return (Emission){
-		.origin = vec3_mad(vec3_mad(region->origin, u, region->u), v, region->v),
-		.direction = region->axis,
-		.coordinates = {(float)(region->middle.u + u), (float)(region->middle.v + v), 0},
-		.measure = region->measure,
-	};
-}
-
-static Emission sample_cap(const EmissionRegion *region, Vec2 disc)
-{
-	/* The disc's squared radius is uniform, and so is the height of a cap; the sine over the
-	 * disc's radius is what its point is stretched with. */
-	double down = region->rise * (disc.u * disc.u + disc.v * disc.v);
-	double stretch = sqrt(real_max(region->rise * (2 - down), 0));
-	Vec3 across = vec3_add(vec3_scale(region->u, disc.u), vec3_scale(region->v, disc.v));
-	Vec3 direction = vec3_unit_again(
-		vec3_mad(vec3_scale(region->axis, 1 - down), stretch, across));
-	return (Emission){
-		.origin = region->origin,
-		.direction = direction,
-		.coordinates = {(float)direction.x, (float)direction.y, (float)direction.z},
-		.measure = region->measure,
-	};
-}
-
-Emission emission_from_disc(const EmissionRegion *region, Vec2 disc)
-{
-	return region->plane ? sample_plane(region, region->radius * disc.u,
-					    region->radius * disc.v)
-			     : sample_cap(region, disc);
+	out->origin = vec3_mad(vec3_mad(region->origin, u, region->u), v, region->v);
+	out->direction = region->axis;
+	out->coordinates[0] = (float)(region->middle.u + u);
+	out->coordinates[1] = (float)(region->middle.v + v);
+	out->coordinates[2] = 0;
+	out->measure = region->measure;
 }
 
 static void sample_rectangle(const EmissionRegion *region, int count, const double *s,
@@ -213,9 +186,68 @@ static void sample_rectangle(const EmissionRegion *region, int count, const doub
 {
 	for (int i = 0; i < count; i++) {
 		double a = 2 * s[i] - 1, b = 2 * t[i] - 1;
-		out[i] = sample_plane(region, a * region->side.u + b * region->across.u,
-				      a * region->side.v + b * region->across.v);
+		sample_plane(region, a * region->side.u + b * region->across.u,
+			     a * region->side.v + b * region->across.v, &out[i]);
 	}
+}
+
+static void sample_disc(const EmissionRegion *region, int count, const double *u, const double *v,
+			Emission *out)
+{
+	for (int i = 0; i < count; i++)
+		sample_plane(region, region->radius * u[i], region->radius * v[i], &out[i]);
+}
+
+/* A disc's squared radius is uniform, and so is the height of a cap; the sine over the disc's
+ * radius is what its point is stretched with. */
+CLONES static void find_cap_directions(const EmissionRegion *region, int count, const double *u,
+				       const double *v, double *to[3])
+{
+	Vec3 axis = region->axis, x = region->u, y = region->v;
+	double rise = region->rise;
+#pragma omp simd
+	for (int i = 0; i < count; i++) {
+		double down = rise * (u[i] * u[i] + v[i] * v[i]), up = 1 - down;
+		double stretch = sqrt(real_max(rise * (2 - down), 0));
+		double a = stretch * u[i], b = stretch * v[i];
+		Vec3 out = vec3_unit_again(vec3(up * axis.x + (a * x.x + b * y.x),
+						up * axis.y + (a * x.y + b * y.y),
+						up * axis.z + (a * x.z + b * y.z)));
+		to[0][i] = out.x;
+		to[1][i] = out.y;
+		to[2][i] = out.z;
+	}
+}
+
+static void sample_cap(const EmissionRegion *region, int count, const double *u, const double *v,
+		       Emission *out)
+{
+	double x[EMISSION_RUN_MAX], y[EMISSION_RUN_MAX], z[EMISSION_RUN_MAX], *to[] = {x, y, z};
+	find_cap_directions(region, count, u, v, to);
+	for (int i = 0; i < count; i++) {
+		out[i].origin = region->origin;
+		out[i].direction = vec3(x[i], y[i], z[i]);
+		out[i].coordinates[0] = (float)x[i];
+		out[i].coordinates[1] = (float)y[i];
+		out[i].coordinates[2] = (float)z[i];
+		out[i].measure = region->measure;
+	}
+}
+
+static void sample_round(const EmissionRegion *region, int count, const double *u, const double *v,
+			 Emission *out)
+{
+	if (region->plane)
+		sample_disc(region, count, u, v, out);
+	else
+		sample_cap(region, count, u, v, out);
+}
+
+Emission emission_from_disc(const EmissionRegion *region, Vec2 disc)
+{
+	Emission out;
+	sample_round(region, 1, &disc.u, &disc.v, &out);
+	return out;
 }
 
 void emission_run(const EmissionRegion *region, int count, double *s, double *t, Emission *out)
@@ -225,8 +257,7 @@ void emission_run(const EmissionRegion *region, int count, double *s, double *t,
 		return;
 	}
 	concentric_discs(count, s, t);
-	for (int i = 0; i < count; i++)
-		out[i] = emission_from_disc(region, (Vec2){s[i], t[i]});
+	sample_round(region, count, s, t, out);
 }
 
 EmissionRegion emission_region_from(const Light *light, const EmissionAim *aim, const double s[2])

@@ -62,7 +62,10 @@ int emission_dimensions(const Light *light);
 bool emission_takes_point(const Light *light);
 EmissionRegion emission_region_from(const Light *light, const EmissionAim *aim, const double s[2]);
 
-/* Samples, uniform over the region, from two numbers in [0, 1) each; writes over the numbers. */
+enum { EMISSION_RUN_MAX = 64 };
+
+/* Samples, uniform over the region, at most EMISSION_RUN_MAX, from two numbers in [0, 1) each;
+ * writes over the numbers. */
 void emission_run(const EmissionRegion *region, int count, double *s, double *t, Emission *out);
 
 /* The same for a point of the unit disc, from the light's own position; the cap's or disc's edge is

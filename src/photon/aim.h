@@ -21,6 +21,7 @@ typedef struct PhotonAim {
 	EmissionRegion region; /* of the light's own position */
 	double shift[AIM_DIMENSIONS]; /* of the Halton points, by the seed */
 	Box3 box;          /* paths that miss it are counted but not followed */
+	bool tight;        /* the target fills the ball: none misses the box */
 	uint64_t paths;    /* of this pass */
 	uint64_t first;    /* number of its first path among all of the pass */
 	InsideStack inside; /* what the light stands in */
@@ -36,7 +37,7 @@ typedef struct PhotonAims {
 /* In the arena. Unbounded targets are left out. */
 PhotonAims photon_aims(const Scene *scene, const PhotonTraceOptions *options, Arena *arena);
 
-enum { PHOTON_STARTS_MAX = 64 };
+enum { PHOTON_STARTS_MAX = EMISSION_RUN_MAX };
 
 /* Where some paths start: emissions, made of the first coordinates of their Halton points, and the
  * later coordinates, by dimension, as far as they have been asked for. */
