@@ -4,11 +4,6 @@
  * is clean. */
 static const double INSIDE_TOLERANCE = 1e-10;
 
-typedef struct Plane {
-	Vec3 normal; /* unit */
-	double distance;
-} Plane;
-
 const void *plane_create(Arena *arena, Vec3 normal, double distance, const char **error)
 {
 	if (vec3_length2(normal) == 0) {
@@ -60,13 +55,6 @@ static bool plane_bounds(const void *data, Box3 *box)
 	(void)data;
 	(void)box;
 	return false;
-}
-
-static bool plane_cross(const Plane *plane, const Ray *ray, double *t)
-{
-	double slope = vec3_dot(plane->normal, ray->direction);
-	*t = (plane->distance - vec3_dot(plane->normal, ray->origin)) / slope;
-	return slope != 0;
 }
 
 static void plane_intersect(const Shape *self, const Ray *ray, HitList *out)

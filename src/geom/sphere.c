@@ -1,36 +1,10 @@
 #include "geom/sphere.h"
 
-typedef struct Sphere {
-	Vec3 center;
-	double radius;
-} Sphere;
-
 const void *sphere_create(Arena *arena, Vec3 center, double radius)
 {
 	Sphere *sphere = ARENA_NEW(arena, Sphere);
-	*sphere = (Sphere){center, fabs(radius)};
+	*sphere = (Sphere){center, fabs(radius), 1 / fabs(radius)};
 	return sphere;
-}
-
-/* From the point of the line nearest to the centre, which keeps far origins exact. */
-static inline bool cross(Vec3 center, double radius, const Ray *ray, double t[2])
-{
-	Vec3 from = vec3_sub(ray->origin, center);
-	double inverse2 = 1 / vec3_length2(ray->direction),
-	       middle = -vec3_dot(from, ray->direction) * inverse2;
-	Vec3 nearest = vec3_mad(from, middle, ray->direction);
-	double left = radius * radius - vec3_length2(nearest);
-	if (!(left > 0))
-		return false;
-	double half = sqrt(left * inverse2);
-	t[0] = middle - half;
-	t[1] = middle + half;
-	return true;
-}
-
-bool sphere_cross(Vec3 center, double radius, const Ray *ray, double t[2])
-{
-	return cross(center, radius, ray, t);
 }
 
 /* Only where the uv axes stay what they are. */
@@ -56,7 +30,7 @@ static void sphere_intersect(const Shape *self, const Ray *ray, HitList *out)
 {
 	const Sphere *sphere = self->data;
 	double t[2];
-	if (!cross(sphere->center, sphere->radius, ray, t))
+	if (!sphere_cross(sphere->center, sphere->radius, ray, t))
 		return;
 	hit_list_add(out, ray, self, t[0], 0);
 	hit_list_add(out, ray, self, t[1], 0);
@@ -66,7 +40,7 @@ static bool sphere_nearest(const Shape *self, const Ray *ray, Hit *out)
 {
 	const Sphere *sphere = self->data;
 	double t[2];
-	if (!cross(sphere->center, sphere->radius, ray, t))
+	if (!sphere_cross(sphere->center, sphere->radius, ray, t))
 		return false;
 	return hit_take(out, ray, self, t[0] > ray->tmin ? t[0] : t[1], 0);
 }
@@ -80,8 +54,7 @@ static bool sphere_inside(const void *data, Vec3 p)
 static Vec3 sphere_normal(const void *data, const Hit *hit, Vec3 p)
 {
 	(void)hit;
-	const Sphere *sphere = data;
-	return vec3_unit_again(vec3_scale(vec3_sub(p, sphere->center), 1 / sphere->radius));
+	return sphere_normal_at(data, p);
 }
 
 Vec2 sphere_uv_of(Vec3 direction)

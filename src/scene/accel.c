@@ -20,6 +20,7 @@
 #include "base/parallel.h"
 #include "geom/csg.h"
 #include "geom/mesh.h"
+#include "geom/plain.h"
 
 enum {
 	LOOP_SHAPES = 6, /* so many bounded shapes are asked one by one; measured: Embree wins from
@@ -129,26 +130,15 @@ static bool query_shape(Query *query, const Shape *shape)
 	return true;
 }
 
-/* The nearest crossing of the plain shapes, when each counts; the ray then ends there. */
-static bool nearest_plain(const Accel *accel, Ray *ray, Hit *best)
-{
-	bool found = false;
-	for (int i = 0; i < accel->plain_count; i++) {
-		const Shape *shape = accel->direct[i];
-		if (!shape->class->nearest(shape, ray, best))
-			continue;
-		ray->tmax = best->t;
-		found = true;
-	}
-	return found;
-}
-
 /* Asks shapes one by one; true when any crossing is enough and one was found. */
 static bool query_direct(Query *query)
 {
 	const Accel *accel = query->accel;
-	if (!query->filter)
-		query->found = nearest_plain(accel, &query->ray, query->best);
+	if (!query->filter &&
+	    plain_nearest(accel->direct, accel->plain_count, &query->ray, query->best)) {
+		query->ray.tmax = query->best->t;
+		query->found = true;
+	}
 	for (int i = query->filter ? 0 : accel->plain_count; i < accel->direct_count; i++)
 		if (query_shape(query, accel->direct[i]) && query->any)
 			return true;
@@ -499,10 +489,8 @@ void accel_destroy(Accel *accel)
 
 bool accel_nearest(const Accel *accel, const Ray *ray, AccelFilter *accept, void *data, Hit *out)
 {
-	if (accel->all_plain && !accept) {
-		Ray left = *ray;
-		return nearest_plain(accel, &left, out);
-	}
+	if (accel->all_plain && !accept)
+		return plain_nearest(accel->direct, accel->plain_count, ray, out);
 	Query query = {.accel = accel, .ray = *ray, .filter = accept, .data = data, .best = out};
 	return query_run(&query);
 }
