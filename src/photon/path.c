@@ -13,12 +13,14 @@
 #include "photon/path.h"
 
 #include <math.h>
+#include <string.h>
 
 #include "base/random.h"
+#include "geom/plain.h"
 #include "scene/accel.h"
 #include "scene/inside.h"
 #include "scene/shade.h"
-#include "surface/bsdf.h"
+#include "surface/bsdf_layer.h"
 
 /* Dimensions of a path's Halton point beyond those of its emission. How its first surfaces part the
  * light matters most; later choices are plain random numbers. */
@@ -55,6 +57,14 @@ typedef struct Path {
 	InsideStack inside;
 } Path;
 
+/* Where a path meets a surface. */
+typedef struct Meeting {
+	const Hit *hit;
+	const Surface *surface;
+	Vec3 place, normal; /* unit, on the side that the path comes from */
+	int inside;         /* the surface's place among those that the path is in, or -1 */
+} Meeting;
+
 static const Emission *emission_of(const Path *path)
 {
 	return &path->starts.emissions[path->at];
@@ -75,24 +85,26 @@ static bool accept_on_the_way(void *data, const Ray *ray, const Hit *hit)
 	return !passes_by(path, surface) || !surface->no_shadow;
 }
 
-static void push_photon(PhotonBuffer *out, const Photon *photon)
+static Photon *new_photon(PhotonBuffer *out)
 {
 	if (out->count == out->capacity) {
 		out->capacity = out->capacity ? 2 * out->capacity : 1024;
 		out->photons = memory_resize(out->photons, sizeof *out->photons * out->capacity);
 	}
-	out->photons[out->count++] = *photon;
+	return &out->photons[out->count++];
 }
 
 /* Flat faces throw sheets of light of their own; each is known by its normal on the side that the
  * light comes from. */
-static uint64_t face_of(const Hit *hit, Vec3 p, Vec3 normal)
+static uint64_t face_of(const Meeting *at)
 {
 	static const double steps = 65536; /* the faces' normals are told apart with */
-	if (!hit->shape->class->flat || !hit_is_flat(hit, p, normal))
-		return 0; /* the first: to save the call */
-	return (uint64_t)llrint(steps * normal.x) + ((uint64_t)llrint(steps * normal.y) << 20) +
-	       ((uint64_t)llrint(steps * normal.z) << 40) + 1;
+	const ShapeClass *class = at->hit->shape->class;
+	if (!class->flat || (class->shading_normal && !hit_is_flat(at->hit, at->place, at->normal)))
+		return 0;
+	return (uint64_t)llrint(steps * at->normal.x) +
+	       ((uint64_t)llrint(steps * at->normal.y) << 20) +
+	       ((uint64_t)llrint(steps * at->normal.z) << 40) + 1;
 }
 
 /* The hash of a way that ends with an event at an object's face. */
@@ -102,25 +114,23 @@ static uint16_t way_of(unsigned before, int object, uint64_t face)
 				    ((uint64_t)before << 32 | (uint32_t)object));
 }
 
-static void store(Path *path, const Hit *hit, Vec3 p, Vec3 normal)
+static void store(Path *path, const Meeting *at)
 {
 	const float *emitter = emission_of(path)->coordinates;
-	const Surface *surface = hit->shape->owner;
 	double farther = path->first_distance + path->length - path->first_length;
 	double growth = emission_growth(path->light, path->first_distance, farther);
-	Photon photon = {
-		.position = {(float)p.x, (float)p.y, (float)p.z},
-		.emitter = {emitter[0], emitter[1], emitter[2]},
-		.length = (float)path->length,
-		.light = (uint16_t)path->aim->light,
-		.object = (uint16_t)surface->id,
-		.edges = (uint8_t)(path->edges < 255 ? path->edges : 255),
-		.path = way_of(path->kind, 0, face_of(hit, p, normal)),
-	};
-	photon_set_flux(&photon, rgb_scale(path->flux, (float)growth));
-	photon_set_direction(&photon, vec3_neg(path->ray.direction));
-	photon_set_normal(&photon, normal);
-	push_photon(path->out, &photon);
+	Vec3 from = vec3_neg(path->ray.direction);
+	Photon *photon = new_photon(path->out);
+	photon->position[0] = (float)at->place.x;
+	photon->position[1] = (float)at->place.y;
+	photon->position[2] = (float)at->place.z;
+	memcpy(photon->emitter, emitter, sizeof photon->emitter);
+	photon->length = (float)path->length;
+	photon->light = (uint16_t)path->aim->light;
+	photon->object = (uint16_t)at->surface->id;
+	photon->edges = (uint8_t)(path->edges < 255 ? path->edges : 255);
+	photon->path = way_of(path->kind, 0, face_of(at));
+	photon_set_arrival(photon, rgb_scale(path->flux, (float)growth), &from, &at->normal);
 	path->out->statistics.stored++;
 }
 
@@ -179,28 +189,34 @@ typedef struct Ways {
 	BsdfEvent events[BSDF_MAX_EVENTS];
 	int count;
 	bool delta;
+	bool directed;   /* the events know where they go; if not, the refraction does */
+	Refraction bend;
 } Ways;
 
-static void find_uniform_ways(const Path *path, const ShadePoint *point, double ior, Ways *ways)
+static void find_uniform_ways(const Path *path, const Meeting *at, double ior, Ways *ways)
 {
-	const Texture *texture = point->surface->texture;
-	ShadingLayer layer = {texture->pigment->color, point->at.normal, texture->finish};
+	const Texture *texture = at->surface->texture;
+	double cosine = real_min(-vec3_dot(path->ray.direction, at->normal), 1);
+	ways->bend = refraction_of(cosine, ior);
 	ways->delta = bsdf_finish_is_delta(texture->finish);
-	ways->count = bsdf_layer_events(&layer, vec3_neg(path->ray.direction), ior, ways->events);
+	ways->count = bsdf_layer_events(texture->finish, &texture->pigment->color, &ways->bend,
+					ways->events);
 }
 
-static void find_textured_ways(Path *path, const ShadePoint *point, double ior, Ways *ways)
+static void find_textured_ways(Path *path, const Meeting *at, double ior, Ways *ways)
 {
+	ShadePoint point;
 	Shading shading;
 	Bsdf bsdf;
-	shade_textures(point, &shading);
+	shade_point_init(&point, &path->ray, at->hit);
+	shade_textures(&point, &shading);
 	const ShadingStack *stack = choose_stack(path, &shading);
 	BsdfPlace place = {
 		.from = vec3_neg(path->ray.direction),
-		.geometric = point->at.normal,
-		.world = point->at.world,
+		.geometric = at->normal,
+		.world = at->place,
 		.ior = ior,
-		.both_sides = point->surface->double_illuminate,
+		.both_sides = at->surface->double_illuminate,
 		.irid_wavelength = path->scene->settings.irid_wavelength,
 		.grain = 0.5,
 	};
@@ -209,13 +225,14 @@ static void find_textured_ways(Path *path, const ShadePoint *point, double ior, 
 	ways->count = bsdf_events(&bsdf, TRANSPORT_FLUX, ways->events);
 }
 
-static void find_ways(Path *path, const ShadePoint *point, int inside, Ways *ways)
+static void find_ways(Path *path, const Meeting *at, Ways *ways)
 {
-	double ior = inside_ratio_at(&path->inside, inside, point->surface, path->hue);
-	if (point->surface->uniform)
-		find_uniform_ways(path, point, ior, ways);
+	double ior = inside_ratio_at(&path->inside, at->inside, at->surface, path->hue);
+	ways->directed = !at->surface->uniform;
+	if (ways->directed)
+		find_textured_ways(path, at, ior, ways);
 	else
-		find_textured_ways(path, point, ior, ways);
+		find_uniform_ways(path, at, ior, ways);
 }
 
 static bool allowed(const Path *path, const Surface *surface, const BsdfEvent *event)
@@ -264,16 +281,30 @@ static bool survives(Path *path)
 	return true;
 }
 
-static void go_on(Path *path, const ShadePoint *point, int inside, const BsdfEvent *event)
+/* How far from its start a path meets surfaces again. Shapes of which single crossings are exact
+ * need so little that none slips through an edge nearby; light that comes from afar is placed less
+ * finely. */
+static double start_of(const Meeting *at)
 {
+	double usual = shade_epsilon(at->place);
+	if (!at->hit->shape->class->quick)
+		return usual;
+	Vec3 p = at->place;
+	double scale = real_max(fabs(p.x), real_max(fabs(p.y), fabs(p.z)));
+	return real_min(usual, 1e-8 * scale + 1e-12 * at->hit->t);
+}
+
+static void go_on(Path *path, const Meeting *at, const Ways *ways, const BsdfEvent *event)
+{
+	Vec3 to = ways->directed ? event->to
+				 : bsdf_layer_direction(event, &ways->bend, path->ray.direction,
+							at->normal);
 	if (event->kind == BSDF_TRANSMIT && !event->total)
-		inside_cross_at(&path->inside, inside, point->surface);
+		inside_cross_at(&path->inside, at->inside, at->surface);
 	path->flux = rgb_mul(path->flux, event->weight);
-	path->ray = (Ray){point->at.world, event->to, shade_epsilon(point->at.world), INFINITY};
+	path->ray = (Ray){at->place, to, start_of(at), INFINITY};
 	int what = event->kind == BSDF_REFLECT ? 1 : event->total ? 2 : 3;
-	path->kind = way_of(path->kind * 4u + (unsigned)what, point->surface->id,
-					   face_of(point->hit, point->at.world,
-						   point->at.normal));
+	path->kind = way_of(path->kind * 4u + (unsigned)what, at->surface->id, face_of(at));
 }
 
 /* What passes is tinted all the same, as a shadow is, unless the object has none: POV-Ray does so,
@@ -324,41 +355,47 @@ static bool collects(const Path *path, const Surface *surface)
 	       photon_light_reaches(path->light, surface);
 }
 
+static void find_meeting(const Path *path, const Hit *hit, int inside, Meeting *out)
+{
+	Vec3 place = ray_at(&path->ray, hit->t), normal = plain_shading_normal(hit, place);
+	bool back = vec3_dot(normal, path->ray.direction) > 0;
+	*out = (Meeting){hit, hit->shape->owner, place, back ? vec3_neg(normal) : normal, inside};
+}
+
 /* At a surface that nothing leaves and that is nowhere a mere mirror: its textures need not be
  * asked. */
 static void end_on(Path *path, const Hit *hit)
 {
 	PhotonStatistics *statistics = &path->out->statistics;
-	float left = path->gray;
+	Meeting at;
 	if (!collects(path, hit->shape->owner)) {
-		statistics->absorbed_flux += left;
+		statistics->absorbed_flux += path->gray;
 		return;
 	}
-	Vec3 p = ray_at(&path->ray, hit->t), normal = hit_shading_normal(hit, p);
-	bool back = vec3_dot(normal, path->ray.direction) > 0;
-	store(path, hit, p, back ? vec3_neg(normal) : normal);
-	statistics->stored_flux += left;
+	find_meeting(path, hit, -1, &at);
+	store(path, &at);
+	statistics->stored_flux += path->gray;
 }
 
 /* Leaves a photon if it may and goes on if the path does. inside: the surface's place among those
  * that the path is in. */
 static bool scatter(Path *path, const Hit *hit, int inside)
 {
-	ShadePoint point;
+	Meeting at;
 	Ways ways;
 	BsdfEvent *chosen = NULL;
 	PhotonStatistics *statistics = &path->out->statistics;
-	shade_point_init(&point, &path->ray, hit);
-	settle_hue(path, point.surface);
-	find_ways(path, &point, inside, &ways);
+	find_meeting(path, hit, inside, &at);
+	settle_hue(path, at.surface);
+	find_ways(path, &at, &ways);
 	float before = path->gray;
-	bool stored = collects(path, point.surface) && !ways.delta, on = false;
+	bool stored = collects(path, at.surface) && !ways.delta, on = false;
 	if (stored)
-		store(path, hit, point.at.world, point.at.normal);
+		store(path, &at);
 	if (path->edges < path->most_levels)
-		chosen = choose_event(path, point.surface, &ways);
+		chosen = choose_event(path, at.surface, &ways);
 	if (chosen) {
-		go_on(path, &point, inside, chosen);
+		go_on(path, &at, &ways, chosen);
 		on = survives(path);
 	}
 	double taken = before - (on ? path->gray : 0);

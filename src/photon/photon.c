@@ -1,11 +1,12 @@
 #include "photon/photon.h"
 
+#include <float.h>
 #include <math.h>
 
 /* ---- flux: 16-bit mantissas under one exponent, chosen by the largest channel; relative error of
  * that channel 2^-17 ---- */
 
-static double power_of_two(int exponent)
+static inline double power_of_two(int exponent)
 {
 	union {
 		uint64_t bits;
@@ -14,36 +15,35 @@ static double power_of_two(int exponent)
 	return power.value;
 }
 
-static uint16_t to_mantissa(float value, double unit)
+static inline uint16_t to_mantissa(float value, double unit)
 {
-	double scaled = value * unit + 0.5;
-	return scaled >= 65535 ? 65535 : scaled > 0 ? (uint16_t)scaled : 0;
+	return (uint16_t)(int)real_min(real_max(value * unit + 0.5, 0), 65535);
 }
 
-/* value = fraction * 2^exponent with a fraction in [1/2, 1), for what is positive and finite. */
-static int exponent_of(float value)
+/* value = fraction * 2^exponent with a fraction in [1/2, 1 - 2^-17), for what is positive and
+ * finite: a fraction that would round up to 65536 is carried over. */
+static inline int exponent_of(float value)
 {
 	union {
 		float value;
 		uint32_t bits;
 	} parts = {value};
-	return (int)(parts.bits >> 23) - 126;
+	int exponent = (int)((parts.bits + (1 << 7)) >> 23) - 126;
+	return exponent > INT8_MAX ? INT8_MAX : exponent;
 }
 
-void photon_set_flux(Photon *photon, Rgb flux)
+static inline void set_flux(Photon *photon, Rgb flux)
 {
 	float most = rgb_max(flux);
-	int exponent = most > 0 && isfinite(most) ? exponent_of(most) : 0;
-	/* A value just under a power of two must not round up to 65536. */
-	if (most * power_of_two(16 - exponent) + 0.5 >= 65536)
-		exponent++;
-	exponent = exponent < INT8_MIN ? INT8_MIN : exponent > INT8_MAX ? INT8_MAX : exponent;
+	int exponent = most > 0 && most <= FLT_MAX ? exponent_of(most) : 0;
 	double unit = power_of_two(16 - exponent);
 	photon->exponent = (int8_t)exponent;
 	photon->mantissa[0] = to_mantissa(flux.r, unit);
 	photon->mantissa[1] = to_mantissa(flux.g, unit);
 	photon->mantissa[2] = to_mantissa(flux.b, unit);
 }
+
+void photon_set_flux(Photon *photon, Rgb flux) { set_flux(photon, flux); }
 
 Rgb photon_flux(const Photon *photon)
 {
@@ -57,12 +57,13 @@ Rgb photon_flux(const Photon *photon)
 
 static double sign_of(double a) { return a < 0 ? -1 : 1; }
 
-static void to_octahedron(Vec3 n, double *u, double *v)
+/* The lower half is folded outward over the edges of the upper one. */
+static inline void to_octahedron(const Vec3 *n, double *u, double *v)
 {
-	double sum = fabs(n.x) + fabs(n.y) + fabs(n.z), x = sum > 0 ? n.x / sum : 0,
-	       y = sum > 0 ? n.y / sum : 0;
-	*u = n.z >= 0 ? x : (1 - fabs(y)) * sign_of(x);
-	*v = n.z >= 0 ? y : (1 - fabs(x)) * sign_of(y);
+	double sum = fabs(n->x) + fabs(n->y) + fabs(n->z), inverse = sum > 0 ? 1 / sum : 0;
+	double x = n->x * inverse, y = n->y * inverse;
+	*u = n->z >= 0 ? x : copysign(1 - fabs(y), x);
+	*v = n->z >= 0 ? y : copysign(1 - fabs(x), y);
 }
 
 static Vec3 from_octahedron(double u, double v)
@@ -74,12 +75,16 @@ static Vec3 from_octahedron(double u, double v)
 }
 
 /* steps is even, so that the axes come out exactly. */
-static unsigned quantize(double u, int steps) { return (unsigned)((u + 1) * 0.5 * steps + 0.5); }
+static inline int quantize(double u, int steps)
+{
+	return (int)(u * (0.5 * steps) + (0.5 * steps + 0.5));
+}
+
 static double dequantize(unsigned q, int steps) { return 2.0 * q / steps - 1; }
 
 enum { FINE = 65534, COARSE = 254 };
 
-void photon_set_direction(Photon *photon, Vec3 unit)
+static inline void set_direction(Photon *photon, const Vec3 *unit)
 {
 	double u, v;
 	to_octahedron(unit, &u, &v);
@@ -87,13 +92,15 @@ void photon_set_direction(Photon *photon, Vec3 unit)
 	photon->direction[1] = (uint16_t)quantize(v, FINE);
 }
 
+void photon_set_direction(Photon *photon, Vec3 unit) { set_direction(photon, &unit); }
+
 Vec3 photon_direction(const Photon *photon)
 {
 	return from_octahedron(dequantize(photon->direction[0], FINE),
 			       dequantize(photon->direction[1], FINE));
 }
 
-void photon_set_normal(Photon *photon, Vec3 unit)
+static inline void set_normal(Photon *photon, const Vec3 *unit)
 {
 	double u, v;
 	to_octahedron(unit, &u, &v);
@@ -101,8 +108,19 @@ void photon_set_normal(Photon *photon, Vec3 unit)
 	photon->normal[1] = (uint8_t)quantize(v, COARSE);
 }
 
+void photon_set_normal(Photon *photon, Vec3 unit) { set_normal(photon, &unit); }
+
 Vec3 photon_normal(const Photon *photon)
 {
 	return from_octahedron(dequantize(photon->normal[0], COARSE),
 			       dequantize(photon->normal[1], COARSE));
+}
+
+/* ---- all at once ---- */
+
+void photon_set_arrival(Photon *photon, Rgb flux, const Vec3 *direction, const Vec3 *normal)
+{
+	set_flux(photon, flux);
+	set_direction(photon, direction);
+	set_normal(photon, normal);
 }

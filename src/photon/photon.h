@@ -38,5 +38,7 @@ void photon_set_direction(Photon *photon, Vec3 unit);
 Vec3 photon_direction(const Photon *photon);
 void photon_set_normal(Photon *photon, Vec3 unit);
 Vec3 photon_normal(const Photon *photon);
+/* The three in one call. */
+void photon_set_arrival(Photon *photon, Rgb flux, const Vec3 *direction, const Vec3 *normal);
 
 #endif

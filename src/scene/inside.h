@@ -24,7 +24,15 @@ typedef struct InsideStack {
 
 void inside_copy(InsideStack *to, const InsideStack *from);
 /* The surface's entry, or -1: for those who ask several things at one crossing. */
-int inside_find(const InsideStack *stack, const Surface *surface);
+static inline int inside_find(const InsideStack *stack, const Surface *surface)
+{
+	for (int i = stack->count - 1; i >= 0; i--) {
+		const InsideItem *item = &stack->items[i];
+		if (item->interior == surface->interior && item->id == surface->id)
+			return i;
+	}
+	return -1;
+}
 bool inside_has(const InsideStack *stack, const Surface *surface);
 /* Crossing the surface: leaves its inside if it was in, enters it if not. */
 void inside_cross(InsideStack *stack, const Surface *surface);
@@ -37,6 +45,22 @@ double inside_ratio(const InsideStack *stack, const Surface *surface);
 /* The same for one colour of light: hue 0 is red, 1 is violet, 0.5 has the index that the scene
  * gives. */
 double inside_ratio_of_hue(const InsideStack *stack, const Surface *surface, double hue);
-double inside_ratio_at(const InsideStack *stack, int at, const Surface *surface, double hue);
+/* The index at the top of the stack, leaving out one entry (-1: none). */
+static inline double inside_top_ior(const InsideStack *stack, int except, double hue)
+{
+	int top = stack->count - 1 - (stack->count - 1 == except);
+	return top >= 0 && stack->items[top].interior
+		       ? interior_ior(stack->items[top].interior, hue)
+		       : 1;
+}
+/* With the surface's entry known, as inside_find gives it. */
+static inline double inside_ratio_at(const InsideStack *stack, int at, const Surface *surface,
+				     double hue)
+{
+	double here = inside_top_ior(stack, -1, hue);
+	if (at >= 0)
+		return here / inside_top_ior(stack, at, hue);
+	return surface->interior ? here / interior_ior(surface->interior, hue) : here;
+}
 
 #endif

@@ -68,14 +68,6 @@ void shade_textures(const ShadePoint *point, Shading *out)
 		texture_shade(surface->texture, surface->attach, &point->at, out);
 }
 
-double shade_epsilon(Vec3 p)
-{
-	double scale = real_max(fabs(p.x), real_max(fabs(p.y), fabs(p.z)));
-	/* POV-Ray's 0.001 for scenes of usual size, finer for tiny ones, and never under what
-	 * doubles can tell apart. */
-	return real_max(real_min(1e-3, 1e-4 * scale), 1e-9 * scale);
-}
-
 Rgb shade_attenuation(const Interior *interior, double distance)
 {
 	if (!interior || interior->fade_power <= 0 || interior->fade_distance <= 0)

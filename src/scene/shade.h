@@ -15,7 +15,13 @@ void shade_point_init(ShadePoint *point, const Ray *ray, const Hit *hit);
 /* The texture at the point: the outer or the interior one, or what a mesh's corners blend. */
 void shade_textures(const ShadePoint *point, Shading *out);
 /* The distance within which a ray that starts at p does not meet the surface it starts from. */
-double shade_epsilon(Vec3 p);
+static inline double shade_epsilon(Vec3 p)
+{
+	double scale = real_max(fabs(p.x), real_max(fabs(p.y), fabs(p.z)));
+	/* POV-Ray's 0.001 for scenes of usual size, finer for tiny ones, and never under what
+	 * doubles can tell apart. */
+	return real_max(real_min(1e-3, 1e-4 * scale), 1e-9 * scale);
+}
 /* What is left of light after a way through an interior: fade_distance, fade_power, fade_color. */
 Rgb shade_attenuation(const Interior *interior, double distance);
 

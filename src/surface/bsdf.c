@@ -10,6 +10,7 @@
 
 #include <math.h>
 
+#include "surface/bsdf_layer.h"
 #include "surface/noise.h"
 
 static const double PI = 3.14159265358979323846;
@@ -18,25 +19,16 @@ static const double PI = 3.14159265358979323846;
 
 double bsdf_fresnel(double cosine, double ior)
 {
-	double sine2 = ior * ior * (1 - cosine * cosine);
-	if (sine2 >= 1)
-		return 1;
-	double inner = sqrt(1 - sine2);
-	/* ((ior cosine - inner) / (ior cosine + inner))^2 and ((cosine - ior inner) / (cosine + ior
-	 * inner))^2, halved, over one denominator: divisions are slow. */
-	double a = ior * cosine, b = ior * inner, across = a + inner, along = cosine + b;
-	double s = (a - inner) * along, p = (cosine - b) * across, all = across * along;
-	return (s * s + p * p) / (2 * all * all);
+	Refraction at = refraction_of(cosine, ior);
+	return refraction_mirrored(&at);
 }
 
 bool bsdf_refract(Vec3 direction, Vec3 normal, double ior, Vec3 *out)
 {
-	double cosine = -vec3_dot(direction, normal);
-	double inner2 = 1 - ior * ior * (1 - cosine * cosine);
-	if (inner2 < 0)
+	Refraction at = refraction_of(-vec3_dot(direction, normal), ior);
+	if (at.inner2 < 0)
 		return false;
-	*out = vec3_unit_again(
-		vec3_mad(vec3_scale(direction, ior), ior * cosine - sqrt(inner2), normal));
+	*out = refraction_direction(&at, direction, normal);
 	return true;
 }
 
@@ -50,7 +42,7 @@ static double metal_grazing(double cosine)
 	return fmin(fmax(f, 0), 1);
 }
 
-static Rgb metal_tint(Rgb color, double metallic, double cosine)
+Rgb bsdf_metal_tint(Rgb color, double metallic, double cosine)
 {
 	float share = (float)(metallic * (1 - metal_grazing(cosine)));
 	return rgb(1 + share * (color.r - 1), 1 + share * (color.g - 1), 1 + share * (color.b - 1));
@@ -60,33 +52,9 @@ static Rgb metal_tint(Rgb color, double metallic, double cosine)
 
 static Rgb layer_mirror(const ShadingLayer *layer, Vec3 from, double ior)
 {
-	const Finish *finish = layer->finish;
-	if (rgb_is_black(finish->reflection.max) && rgb_is_black(finish->reflection.min))
-		return rgb_all(0);
-	double cosine = real_min(real_max(vec3_dot(from, layer->normal), 0), 1), share;
-	if (finish->reflection.fresnel)
-		share = bsdf_fresnel(cosine, ior);
-	else
-		share = finish->reflection.falloff == 1
-				? 1 - cosine
-				: pow(1 - cosine, finish->reflection.falloff);
-	Rgb mirror = rgb_lerp(finish->reflection.min, finish->reflection.max, (float)share);
-	if (finish->reflection.metallic != 0)
-		mirror = rgb_mul(mirror,
-				 metal_tint(rgbft_rgb(layer->color), finish->reflection.metallic,
-					    cosine));
-	return mirror;
-}
-
-/* What the layer lets through beside its mirror. */
-static Rgb layer_through(const ShadingLayer *layer, Rgb mirror)
-{
-	Rgb through = rgbft_transmittance(layer->color);
-	if (!layer->finish->conserve_energy)
-		return through;
-	Rgb left = rgb_sub(rgb_all(1), mirror);
-	return rgb_mul(through, rgb(left.r > 0 ? left.r : 0, left.g > 0 ? left.g : 0,
-				    left.b > 0 ? left.b : 0));
+	double cosine = real_min(real_max(vec3_dot(from, layer->normal), 0), 1);
+	Refraction at = refraction_of(cosine, ior);
+	return bsdf_finish_mirror(layer->finish, &layer->color, &at);
 }
 
 /* Under 0 it subtracts: scenes use that. Scenes before version 3.7 count a filter by its brightest
@@ -121,7 +89,8 @@ static void init_layer(Bsdf *bsdf, const ShadingLayer *from, const BsdfPlace *pl
 	layer->film = from->finish->irid.amount > 0 ? film_thickness(from->finish, place->world)
 						    : 0;
 	layer->mirror = layer_mirror(from, place->from, place->ior);
-	bsdf->through = rgb_mul(bsdf->through, layer_through(from, layer->mirror));
+	bsdf->through = rgb_mul(bsdf->through, bsdf_finish_through(from->finish, &from->color,
+								   layer->mirror));
 }
 
 void bsdf_init(Bsdf *bsdf, const ShadingLayer *bottom_to_top, int count, const BsdfPlace *place)
@@ -206,7 +175,7 @@ static Rgb highlight_color(const BsdfLayer *layer, double strength, double light
 {
 	Rgb tint = rgb_all(1);
 	if (layer->finish->metallic != 0)
-		tint = metal_tint(layer->color, layer->finish->metallic, light_cosine);
+		tint = bsdf_metal_tint(layer->color, layer->finish->metallic, light_cosine);
 	return rgb_scale(rgb_mul(tint, layer->above), (float)strength);
 }
 
@@ -306,7 +275,7 @@ static void passage(const EventPlace *place, Vec3 normal, Rgb through, BsdfEvent
 			     .weight = through,
 			     .exponent = 1,
 			     .to = vec3_neg(place->from)};
-	if (fabs(place->ior - 1) < 1e-10)
+	if (!refraction_bends(place->ior))
 		return;
 	event->bent = true;
 	/* A normal that bumps turned away from the viewer counts from its other side. */
@@ -347,18 +316,6 @@ int bsdf_events(const Bsdf *bsdf, Transport transport, BsdfEvent out[BSDF_MAX_EV
 		if (!rgb_is_black(layer->mirror) && !same)
 			mirror(&place, layer->normal, layer->mirror, layer->finish, &out[count++]);
 	}
-	return count;
-}
-
-int bsdf_layer_events(const ShadingLayer *layer, Vec3 from, double ior, BsdfEvent out[2])
-{
-	EventPlace place = {from, layer->normal, ior};
-	Rgb mirrored = layer_mirror(layer, from, ior), through = layer_through(layer, mirrored);
-	int count = 0;
-	if (!rgb_is_black(through))
-		passage(&place, layer->normal, through, &out[count++]);
-	if (!rgb_is_black(mirrored) && !(count && out[0].total))
-		mirror(&place, layer->normal, mirrored, layer->finish, &out[count++]);
 	return count;
 }
 

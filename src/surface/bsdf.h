@@ -88,13 +88,13 @@ typedef struct BsdfEvent {
 
 /* The mirrors and the passage through whose weight is not black; returns how many. */
 int bsdf_events(const Bsdf *bsdf, Transport transport, BsdfEvent out[BSDF_MAX_EVENTS]);
-/* The same for a stack of one layer without bumps, by itself: from as in BsdfPlace. */
-int bsdf_layer_events(const ShadingLayer *layer, Vec3 from, double ior, BsdfEvent out[2]);
 /* One way to go on, chosen by u[0] among lobes and events by their weight; u[1], u[2] place a
  * smooth direction. False: the path ends (absorbed). The expectation of weight is the surface's
  * albedo. */
 bool bsdf_sample(const Bsdf *bsdf, const double u[3], Transport transport, BsdfEvent *out);
 
+/* What metallic tints a mirror or highlight with at a cosine. */
+Rgb bsdf_metal_tint(Rgb color, double metallic, double cosine);
 /* Fresnel's reflectance for unpolarised light; ior: index of the side the light comes from over the
  * other's. */
 double bsdf_fresnel(double cosine, double ior);

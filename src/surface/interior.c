@@ -9,17 +9,10 @@ Interior interior_default(void)
 	return (Interior){.ior = 1, .dispersion = 1, .dispersion_samples = 7};
 }
 
-bool interior_disperses(const Interior *interior)
-{
-	return interior && interior->dispersion != 1 && interior->dispersion > 0;
-}
-
-double interior_ior(const Interior *interior, double hue)
+double interior_ior_of_hue(const Interior *interior, double hue)
 {
 	double ior = interior->ior > 0 ? interior->ior : 1;
-	return interior->dispersion == 1 || interior->dispersion <= 0
-		       ? ior
-		       : ior * pow(interior->dispersion, hue - 0.5);
+	return ior * pow(interior->dispersion, hue - 0.5);
 }
 
 /* One lobe: a Gaussian with different widths on its two sides. */

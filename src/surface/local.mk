@@ -15,7 +15,8 @@ src/surface/noise_tables.inc: src/surface/noise_tables_make$(EXEEXT)
 	$(AM_V_GEN)./src/surface/noise_tables_make$(EXEEXT) > $@.tmp && mv $@.tmp $@
 src/surface/noise.$(OBJEXT): src/surface/noise_tables.inc
 CLEANFILES += src/surface/noise_tables.inc src/surface/noise_tables_make$(EXEEXT)
-libsurface_a_SOURCES += src/surface/bsdf.c src/surface/bsdf.h
+libsurface_a_SOURCES += src/surface/bsdf.c src/surface/bsdf.h src/surface/bsdf_layer.h \
+	src/surface/refraction.h
 libsurface_a_SOURCES += src/surface/function.c src/surface/function_code.h src/surface/function_program.c \
 	src/surface/function_program.h src/surface/function_natives.c src/surface/function_natives.h \
 	src/surface/function_internal.c src/surface/function_internal.h src/surface/function_internal_shapes.c \

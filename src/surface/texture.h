@@ -182,11 +182,20 @@ typedef struct Interior {
 } Interior;
 
 Interior interior_default(void);
+/* Whether its index depends on the hue; NULL is allowed. */
+static inline bool interior_disperses(const Interior *interior)
+{
+	return interior && interior->dispersion != 1 && interior->dispersion > 0;
+}
+double interior_ior_of_hue(const Interior *interior, double hue);
 /* The index of refraction for a hue: 0 red, 1 violet, 0.5 the scene's own number. dispersion is
  * violet's over red's. */
-double interior_ior(const Interior *interior, double hue);
-/* Whether its index depends on the hue; NULL is allowed. */
-bool interior_disperses(const Interior *interior);
+static inline double interior_ior(const Interior *interior, double hue)
+{
+	if (interior_disperses(interior))
+		return interior_ior_of_hue(interior, hue);
+	return interior->ior > 0 ? interior->ior : 1;
+}
 /* The colour of a hue, such that hues evenly spread over [0, 1] make white. */
 Rgb interior_hue_color(double hue);
 

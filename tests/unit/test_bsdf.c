@@ -1,6 +1,6 @@
 /* The scattering interface: density integrates to one, no more light than comes, events against
  * Fresnel and Snell. */
-#include "surface/bsdf.h"
+#include "surface/bsdf_layer.h"
 
 #include "base/random.h"
 
@@ -211,9 +211,13 @@ static void check_layer_events(void)
 		Bsdf bsdf = bsdf_of(&layer, 1, from, ior);
 		BsdfEvent whole[BSDF_MAX_EVENTS], own[2];
 		int count = bsdf_events(&bsdf, TRANSPORT_FLUX, whole);
-		CHECK(bsdf_layer_events(&layer, bsdf.from, ior, own) == count);
-		for (int k = 0; k < count; k++)
+		Refraction at = refraction_of(vec3_dot(bsdf.from, layer.normal), ior);
+		CHECK(bsdf_layer_events(&finish, &layer.color, &at, own) == count);
+		for (int k = 0; k < count; k++) {
+			own[k].to = bsdf_layer_direction(&own[k], &at, vec3_neg(bsdf.from),
+							 layer.normal);
 			CHECK(events_agree(&own[k], &whole[k]));
+		}
 		CHECK(bsdf_finish_is_delta(&finish) == bsdf_is_delta(&bsdf));
 	}
 }
