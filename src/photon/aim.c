@@ -15,6 +15,7 @@ typedef struct Target {
 	int id;
 	Box3 box;
 	EmissionAim ball;
+	bool tight;     /* the ball is the target */
 	double spacing; /* of its photons beside the others' */
 	const Surface *surface;
 } Target;
@@ -32,15 +33,37 @@ static EmissionAim ball_around(Box3 box)
 	return (EmissionAim){.center = center, .radius = vec3_distance(center, box.hi), .reach = 1};
 }
 
-/* A ball of its own kind is its own bound; its box has three times the ball's cross-section. */
-static EmissionAim ball_of(const Shape *shape)
+/* A whole ball is its own bound; its box has at least three times the ball's cross-section. False
+ * for all else. */
+static bool find_ball(const Shape *shape, EmissionAim *ball)
 {
-	EmissionAim ball = ball_around(shape->box);
-	double scale;
-	if (shape->class == &sphere_class &&
-	    (!shape->transform || transform_is_similarity(shape->transform, &scale)))
-		ball.radius /= sqrt(3);
-	return ball;
+	double scale = 1;
+	if (shape->class != &sphere_class || shape->clip_count || shape->bound_count ||
+	    (shape->transform && !transform_is_similarity(shape->transform, &scale)))
+		return false;
+	const Sphere *sphere = shape->data;
+	ball->center = shape->transform ? transform_point(shape->transform, sphere->center)
+					: sphere->center;
+	ball->radius = sphere->radius * scale;
+	return true;
+}
+
+static Target make_target(const Surface *surface, const Shape *shape)
+{
+	Target target = {.id = surface->id,
+			 .box = shape->box,
+			 .ball = ball_around(shape->box),
+			 .spacing = surface->photon_spacing,
+			 .surface = surface};
+	target.tight = find_ball(shape, &target.ball);
+	return target;
+}
+
+static void widen_target(Target *target, Box3 box)
+{
+	target->box = box3_union(target->box, box);
+	target->ball = ball_around(target->box);
+	target->tight = false;
 }
 
 static void add_target(Target *targets, int *count, const Surface *surface, const Shape *shape)
@@ -49,14 +72,9 @@ static void add_target(Target *targets, int *count, const Surface *surface, cons
 	while (i < *count && targets[i].id != surface->id)
 		i++;
 	if (i == *count)
-		targets[(*count)++] = (Target){.id = surface->id,
-					       .box = shape->box,
-					       .ball = ball_of(shape),
-					       .spacing = surface->photon_spacing,
-					       .surface = surface};
+		targets[(*count)++] = make_target(surface, shape);
 	else
-		targets[i].ball = ball_around(
-			targets[i].box = box3_union(targets[i].box, shape->box));
+		widen_target(&targets[i], shape->box);
 }
 
 static int find_targets(const Scene *scene, Target *targets)
@@ -101,7 +119,8 @@ static void find_inside(const Scene *scene, Vec3 place, InsideStack *inside)
 static PhotonAim make_aim(const Scene *scene, int light, const Target *target, uint64_t seed)
 {
 	PhotonAim aim = {
-		.light = light, .target = target->id, .box = target->box, .ball = target->ball};
+		.light = light, .target = target->id, .box = target->box, .ball = target->ball,
+		.tight = target->tight};
 	uint64_t sequence = (uint64_t)light << 32 | (uint32_t)target->id;
 	for (uint64_t k = 0; k < AIM_DIMENSIONS; k++)
 		aim.shift[k] = random_uniform(seed, sequence, k);
@@ -124,6 +143,8 @@ static inline void cut_range(double lo, double hi, double origin, double directi
 
 bool photon_aim_hits(const PhotonAim *aim, const Emission *emission)
 {
+	if (aim->tight)
+		return true;
 	double range[2] = {0, INFINITY};
 	Vec3 o = emission->origin, d = emission->direction;
 	cut_range(aim->box.lo.x, aim->box.hi.x, o.x, d.x, range);
