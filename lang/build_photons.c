@@ -195,6 +195,8 @@ static void read_relaxation_item(Cursor *cursor, Relaxation *relaxation)
 		take_whole(cursor, 1, 255, &relaxation->repulsion_neighbors);
 	} else if (cursor_accept_word(cursor, W_range)) {
 		take_positive(cursor, &relaxation->range);
+	} else if (cursor_accept_word(cursor, W_gradient)) {
+		relaxation->gradient = cursor_optional_bool(cursor);
 	} else {
 		cursor_unexpected(cursor);
 	}

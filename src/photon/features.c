@@ -100,6 +100,7 @@ static void find_ranges(RelaxSet *set, const Relaxation *settings)
 typedef struct FeatureJob {
 	const RelaxForest *forest;
 	int count; /* Kc */
+	bool gradient; /* is asked for */
 } FeatureJob;
 
 /* The neighbours in the photon's tangent plane. */
@@ -126,9 +127,10 @@ static void put(float to[3], Vec3 v)
 	to[2] = (float)v.z;
 }
 
-static void find_basis(const RelaxSet *set, uint32_t i, const Neighbor *near, int found,
-		       RelaxBasis *basis)
+static void find_basis(RelaxSet *set, const FeatureJob *job, uint32_t i, const Neighbor *near,
+		       int found)
 {
+	RelaxBasis *basis = &set->bases[i];
 	const float *n = set->points[i].normal;
 	double flat[found + 1][2], radius = sqrt(photon_tree_farthest(near, found));
 	Vec3 axes[2], normal = vec3_normalize(vec3(n[0], n[1], n[2]));
@@ -140,7 +142,8 @@ static void find_basis(const RelaxSet *set, uint32_t i, const Neighbor *near, in
 	put(basis->u, along);
 	put(basis->v, vec3_cross(normal, along));
 	basis->v_length = (float)feature_freedom(features.l2, radius > 0 ? count : 0);
-	put(basis->gradient, relax_gradient(set, i, near, found, axes, radius));
+	put(basis->gradient, job->gradient ? relax_gradient(set, i, near, found, axes, radius)
+					   : vec3(0, 0, 0));
 }
 
 static void basis_run(RelaxSet *set, uint32_t first, uint32_t end, void *data)
@@ -149,7 +152,7 @@ static void basis_run(RelaxSet *set, uint32_t first, uint32_t end, void *data)
 	Neighbor near[job->count + 1 + 8 * TREE_SLACK];
 	for (uint32_t i = first; i < end; i++) {
 		int found = relax_forest_nearest(job->forest, i, job->count + 1, near);
-		find_basis(set, i, near, found, &set->bases[i]);
+		find_basis(set, job, i, near, found);
 	}
 }
 
@@ -159,7 +162,7 @@ void features_detect(RelaxSet *set, const Relaxation *settings)
 	set->bases = memory_alloc(sizeof *set->bases * ((size_t)set->count + 1));
 	RelaxForest *forest = relax_forest_create(set, RELAX_PARAMETER);
 	relax_forest_grow(forest);
-	FeatureJob job = {forest, settings->neighbors};
+	FeatureJob job = {forest, settings->neighbors, settings->gradient};
 	relax_set_each(set, basis_run, &job);
 	relax_forest_destroy(forest);
 }

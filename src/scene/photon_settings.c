@@ -42,7 +42,8 @@ Relaxation relaxation_default(void)
 			    .world_iterations = 6,
 			    .neighbors = 50,
 			    .repulsion_neighbors = 16,
-			    .range = 2};
+			    .range = 2,
+			    .gradient = true};
 }
 
 /* Fourteen iterations in all, as the paper has for comparison. */

@@ -39,6 +39,7 @@ typedef struct Relaxation {
 	int parameter_iterations, world_iterations;
 	int neighbors, repulsion_neighbors;
 	double range;
+	bool gradient; /* constrained: what the density's own gradient pushes is taken off */
 } Relaxation;
 
 typedef enum Reduction {

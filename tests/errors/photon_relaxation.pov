@@ -6,6 +6,8 @@ global_settings {
     relaxation { plain iterations 3, 5000 range 0 }
     relaxation { neighbors 2 repulsion_neighbors 300 strength 4 }
     relaxation { iterations neighbors 50 }
+    relaxation { gradient plain off }
+    relaxation { gradient 2, 3 }
   }
 }
 sphere { 0, 1 photons { relaxation { plain } } }
