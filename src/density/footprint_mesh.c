@@ -28,8 +28,7 @@ static Chart make_chart(const SheetTask *task)
 {
 	const PhotonMap *map = task->map;
 	const Photon *p = &map->photons[task->photons[0]];
-	Chart chart = {.plane = p->light < map->light_count &&
-				map->lights[p->light].parameter_dimensions == 2};
+	Chart chart = {.plane = photon_map_on_plane(map, p)};
 	Vec3 sum = vec3(0, 0, 0);
 	for (uint32_t i = 0; i < task->count; i++)
 		sum = vec3_add(sum, vec3_of(map->photons[task->photons[i]].emitter));

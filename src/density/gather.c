@@ -19,9 +19,7 @@ static void add_parameter(GatherSum *sum, const Photon *photon)
 {
 	const PhotonMap *map = sum->task->map;
 	double scale = 1;
-	if (photon->light < map->light_count &&
-	    map->lights[photon->light].parameter_dimensions == 2 &&
-	    map->lights[photon->light].parameter_area > 0)
+	if (photon_map_on_plane(map, photon) && map->lights[photon->light].parameter_area > 0)
 		scale = sqrt(M_PI / map->lights[photon->light].parameter_area);
 	for (int k = 0; k < 3; k++)
 		sum->parameter[k] += 0.5 + 0.5 * fmax(-1, fmin(1, scale * photon->emitter[k]));

@@ -23,6 +23,12 @@ void photon_map_destroy(PhotonMap *map)
 	free(map);
 }
 
+bool photon_map_on_plane(const PhotonMap *map, const Photon *photon)
+{
+	return photon->light < map->light_count &&
+	       map->lights[photon->light].parameter_dimensions == 2;
+}
+
 static int compare_floats(const void *a, const void *b)
 {
 	float x = *(const float *)a, y = *(const float *)b;

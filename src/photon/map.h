@@ -43,6 +43,8 @@ typedef struct PhotonMap {
 
 PhotonMap *photon_map_create(void);
 void photon_map_destroy(PhotonMap *map); /* NULL is allowed */
+/* Whether a photon's emitter coordinates are two on a plane. False: a direction, or not known. */
+bool photon_map_on_plane(const PhotonMap *map, const Photon *photon);
 /* Builds the tree. emitter_weight as in TreePoints; with 0 the tree is over positions alone, and
  * its queries know no emitter range (relaxation has trees of its own). Photons may be moved
  * (relaxation) and indexed again. */

@@ -56,7 +56,7 @@ static void emitter_axes(const RelaxPoint *point, Vec3 axes[2])
 	const float *e = point->emitter;
 	axes[0] = vec3(1, 0, 0);
 	axes[1] = vec3(0, 1, 0);
-	if (e[2] != 0)
+	if (!point->on_plane)
 		vec3_frame(vec3_normalize(vec3(e[0], e[1], e[2])), &axes[0], &axes[1]);
 }
 

@@ -25,9 +25,13 @@ static uint16_t sheet_of(const Photon *photon)
 	return (uint16_t)random_bits((uint64_t)photon->light, photon->object, photon->path);
 }
 
-static RelaxPoint make_point(const Photon *photon, uint32_t number)
+static RelaxPoint make_point(const PhotonMap *map, uint32_t number)
 {
-	RelaxPoint point = {.photon = number, .sheet = sheet_of(photon), .object = photon->object,
+	const Photon *photon = &map->photons[number];
+	RelaxPoint point = {.photon = number,
+			    .sheet = sheet_of(photon),
+			    .object = photon->object,
+			    .on_plane = photon_map_on_plane(map, photon),
 			    .range2 = INFINITY};
 	Rgb flux = photon_flux(photon);
 	Vec3 normal = photon_normal(photon);
@@ -90,7 +94,7 @@ void relax_set_init(RelaxSet *set, const PhotonMap *map, const RelaxSurfaces *su
 	for (uint32_t i = 0; i < map->count; i++) {
 		if (!takes_part(&map->photons[i], surfaces))
 			continue;
-		set->points[set->count++] = make_point(&map->photons[i], i);
+		set->points[set->count++] = make_point(map, i);
 	}
 	scale_fluxes(set);
 	sort_points(set);

@@ -17,6 +17,7 @@ typedef struct RelaxPoint {
 	uint16_t sheet; /* hash of light, object and way: photons of one sheet of the caustic have
 			   the same */
 	uint16_t object;
+	bool on_plane; /* emitter: two coordinates; else a direction */
 } RelaxPoint;
 
 /*
