@@ -18,11 +18,12 @@
 
 enum { SIDE = 320, POINTS = SIDE * SIDE, RUNS = 5 };
 
-static void wave_way(double u, double v, double to[2]) { wave_map(u, v, to); }
+static void wave_way(double u, double v, double to[2]) { wave_map(&wave_detailed, u, v, to); }
 
 static PhotonMap *make_map(uint32_t count)
 {
-	return known_map_make(&(KnownMap){wave_way, -WAVE_MARGIN, 1 + 2 * WAVE_MARGIN}, count, 0);
+	double side = wave_side(&wave_detailed);
+	return known_map_make(&(KnownMap){wave_way, -wave_detailed.margin, side}, count, 0);
 }
 
 /* ---- what is compared ---- */

@@ -32,11 +32,14 @@ PhotonMap *make_photons()
 	PhotonMap *map = photon_map_create();
 	map->photons = static_cast<Photon *>(std::calloc(photons + 1, sizeof(Photon)));
 	map->count = photons;
+	map->lights = static_cast<PhotonLight *>(std::calloc(1, sizeof(PhotonLight)));
+	map->lights[0].parameter_dimensions = 2;
+	map->light_count = 1;
 	Vec3 up = {0, 1, 0};
 	for (uint32_t i = 0; i < photons; i++) {
 		double from[2], to[2];
-		wave_start(i + 1, from);
-		wave_map(from[0], from[1], to);
+		wave_start(&wave_detailed, i + 1, from);
+		wave_map(&wave_detailed, from[0], from[1], to);
 		Photon *photon = &map->photons[i];
 		for (int k = 0; k < 2; k++) {
 			photon->position[2 * k] = static_cast<float>(to[k]);
