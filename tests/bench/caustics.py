@@ -2,9 +2,12 @@
 """How far estimates of caustics are from the references (references.py), scene by scene and count
 by count: RMSE, MRSE and SSIM of the layer caustic on the close-ups of caustic_scenes.py.
 
-All estimators see the same photons: they are traced once a seed, and once more with the same seed
-for each kind of relaxation, and loaded. K "best" is searched on a seed of its own, and what is
-printed is the mean over other seeds. The columns: K, with * if it is the best; RMSE and its part
+All estimators see the same photons: they are traced once a seed, relaxed once by each kind of
+relaxation, and loaded. K "best" is searched on a seed of its own, or on that of the row where there
+is no time for one more (--search-seed 0); what is printed is the mean over --seeds, but for
+estimates of many photons, which hardly depend on the set. All that was measured is remembered in
+--folder, so a run that was stopped goes on, and one over more counts costs only what is new. The
+columns: K, with * if it is the best; RMSE and its part
 of the reference's mean; MRSE; SSIM; RMSE beside that of nearest at its best K; how many photons
 nearest at its best K would need for this RMSE (from its RMSE at the counts measured, as a power of
 the count between them and beyond); processor seconds of the picture with all its samples, which
@@ -25,9 +28,9 @@ import caustic_scenes
 import caustic_sheet
 import exr
 
-SEARCH_SEED = 100  # finds the best K; seeds 1, 2, ... judge it
 # Of K, by about the root of 2.
 STEPS = (6, 8, 11, 15, 21, 30, 42, 60, 85, 120, 170, 240, 340, 480, 680, 960, 1360, 1920)
+MANY = 480  # photons: an estimate from so many is measured on one seed
 BEST = "best"
 
 # Name: relaxation or None, estimator ({K} stands for a K), Ks.
@@ -35,10 +38,16 @@ METHODS = {
     "nearest": (None, "nearest {{ count {K} }}", (15, 50, 500, BEST)),
     "diffusion": (None, "diffusion {{ count {K} }}", (500,)),
     "plain": ("plain iterations 7, 7", "nearest {{ count {K} }}", (15, BEST)),
+    "paper": (
+        "constrained iterations 7, 7 range 3 gradient off",
+        "nearest {{ count {K} }}",
+        (15, BEST),
+    ),
     "constrained": ("constrained", "nearest {{ count {K} }}", (15, BEST)),
     "footprint": (None, "footprint", (0,)),
 }
-KEPT = ("nearest", "diffusion")  # results that do not change while others are worked on
+# Results that do not change while others are worked on: any program's are remembered.
+KEPT = ("nearest", "diffusion", "plain")
 
 
 def number(text):
@@ -49,6 +58,11 @@ def number(text):
 
 def short(count):
     return f"{count / 1e6:.3g}M" if count >= 1e6 else f"{count / 1e3:.3g}k"
+
+
+def digest(path):
+    with open(path, "rb") as file:
+        return hashlib.sha256(file.read()).hexdigest()[:12]
 
 
 def average(path, samples):
@@ -62,32 +76,32 @@ def average(path, samples):
 
 
 class Results:
-    """Measurements by key; those of KEPT methods are remembered between runs."""
+    """Measurements by key, remembered between runs: a line of a file each, so that several runs may
+    add to it at once."""
 
     def __init__(self, path):
         self.path, self.rows = path, {}
         if os.path.exists(path):
             with open(path) as file:
-                self.rows = json.load(file)
+                self.rows = dict(json.loads(line) for line in file)
 
     def keep(self, key, row):
         self.rows[key] = row
-        with open(self.path + ".new", "w") as file:
-            json.dump(self.rows, file, indent=0)
-        os.replace(self.path + ".new", self.path)
+        with open(self.path, "a") as file:
+            file.write(json.dumps([key, row]) + "\n")
 
 
 class Bench:
     """One scene at one count."""
 
-    def __init__(self, options, name, count, results):
-        self.options, self.name, self.count, self.results = options, name, count, results
+    def __init__(self, options, name, count, seeds):
+        self.options, self.name, self.count, self.seeds = options, name, count, seeds
+        self.results = Results(os.path.join(options.folder, "kept.jsonl"))
         self.program = caustic_scenes.Program(
             options.cognac, options.scenes, options.threads, options.library
         )
         self.reference = os.path.join(options.references, name + ".exr")
-        with open(self.reference, "rb") as file:
-            self.digest = hashlib.sha256(file.read()).hexdigest()[:12]
+        self.digest, self.build = digest(self.reference), digest(options.cognac)
         planes, self.texts = exr.read(self.reference)
         self.truth = exr.layer(planes, "caustic")
         self.halves = [
@@ -96,7 +110,7 @@ class Bench:
         ]
         self.mean = float(self.truth.mean())
         self.paths = 0
-        self.stored = {}
+        self.stored = set()  # files
 
     def path(self, *parts):
         return os.path.join(
@@ -111,22 +125,29 @@ class Bench:
         return path
 
     def photons(self, relaxation, seed):
-        """The file with the photons of a seed; removed by forget()."""
-        path = self.path(seed, hashlib.sha256((relaxation or "").encode()).hexdigest()[:8], "ply")
+        """The file with the photons of a seed, traced once and relaxed from there; removed by
+        forget()."""
+        kind = hashlib.sha256(relaxation.encode()).hexdigest()[:8] if relaxation else "landed"
+        path = self.path(seed, kind, "ply")
         if not os.path.exists(path):
-            self.paths = self.paths or self.program.count_for(self.name, self.count)
-            settings = f"relaxation {{ {relaxation} }}" if relaxation else ""
-            statistics = self.program.trace(
-                self.name, settings, self.paths, seed, f"--photons={path}"
-            )
-            self.stored[path] = statistics["stored"]
+            words, settings = [f"--photons={path}.new"], ""
+            if relaxation:
+                words.append(f"--load-photons={self.photons(None, seed)}")
+                settings = f"relaxation {{ {relaxation} }}"
+            self.program.trace(self.name, settings, self.emitted(), seed, *words)
+            os.replace(path + ".new", path)
+            self.stored.add(path)
         return path
+
+    def emitted(self):
+        self.paths = self.paths or self.program.count_for(self.name, self.count)
+        return self.paths
 
     def forget(self):
         for path in self.stored:
             if os.path.exists(path):
                 os.remove(path)
-        self.stored = {}
+        self.stored = set()
 
     def picture(self, method, k):
         return self.path(method, k, "exr") if k else self.path(method, "exr")
@@ -136,9 +157,10 @@ class Bench:
         estimator = estimator.format(K=k)
         samples = self.options.samples
         key = f"{self.name} {self.count} {seed} {relaxation} {estimator} {samples} {self.digest}"
+        key += "" if method in KEPT else " " + self.build
         out = self.picture(method, k)
         known = self.results.rows.get(key)
-        if known and (seed != 1 or os.path.exists(out)):
+        if known and not (self.options.sheet and not os.path.exists(out)):
             return known
         stats = self.path("stats", "json")
         self.program.run(
@@ -160,8 +182,7 @@ class Bench:
         row = {"ssim": json.loads(run.stdout)["SSIM"], **self.errors(out)}
         with open(stats) as file:
             row["seconds"] = json.load(file)["seconds"]["processor"]
-        if method in KEPT:
-            self.results.keep(key, row)
+        self.results.keep(key, row)
         return row
 
     def errors(self, path):
@@ -171,27 +192,29 @@ class Bench:
         relative = square / (self.truth**2 + 1e-2)
         return {"rmse": math.sqrt(max(0, square.mean())), "mrse": float(relative.mean())}
 
-    def best(self, method, start):
-        """The K of STEPS with the least RMSE: downhill from the start."""
+    def best(self, method):
+        """The K of STEPS with the least RMSE: downhill by two steps from a guess that grows with
+        the count, then by one."""
+        seed = self.options.search_seed or self.options.first_seed
         tried = {}
 
         def at(i):
             if i not in tried:
-                tried[i] = (
-                    self.measure(method, STEPS[i], SEARCH_SEED)["rmse"]
-                    if 0 <= i < len(STEPS)
-                    else math.inf
-                )
+                inside = 0 <= i < len(STEPS)
+                tried[i] = self.measure(method, STEPS[i], seed)["rmse"] if inside else math.inf
             return tried[i]
 
-        i = STEPS.index(start)
-        way = 1 if at(i + 1) < at(i) else -1
+        guess = (40 if METHODS[method][0] is None else 20) * math.sqrt(self.count / 134e3)
+        i = min(range(1, len(STEPS), 2), key=lambda i: abs(math.log(STEPS[i] / guess)))
+        way = 2 if at(i + 2) < at(i) else -2
         while at(i + way) < at(i):
             i += way
-        return STEPS[i]
+        return STEPS[min((i - 1, i, i + 1), key=at)]
 
     def row(self, method, k):
-        rows = [self.measure(method, k, seed) for seed in range(self.options.seeds, 0, -1)]
+        first = self.options.first_seed
+        seeds = range(first, first + (self.seeds if k < MANY else 1))
+        rows = [self.measure(method, k, seed) for seed in reversed(seeds)]
         row = {
             key: sum(r[key] for r in rows) / len(rows)
             for key in ("rmse", "mrse", "ssim", "seconds")
@@ -212,9 +235,7 @@ class Bench:
     def rows(self, methods):
         for method in methods:
             for k in METHODS[method][2]:
-                found = (
-                    self.best(method, 60 if METHODS[method][0] is None else 30) if k == BEST else k
-                )
+                found = self.best(method) if k == BEST else k
                 yield dict(self.row(method, found), best=k == BEST)
         if not self.options.keep:
             self.forget()
@@ -313,7 +334,11 @@ def arguments():
         metavar="NAME:RELAXATION:ESTIMATOR[:K,K]",
         help="one more; %%K stands for a K, and a K may be 'best'",
     )
-    parser.add_argument("--seeds", type=int, default=3)
+    parser.add_argument(
+        "--seeds", default="3", help="how many sets of photons; or for each count, as 3,1"
+    )
+    parser.add_argument("--first-seed", type=int, default=1)
+    parser.add_argument("--search-seed", type=int, default=100, help="0: the first seed")
     parser.add_argument(
         "--samples", type=int, default=2, help="of a pixel, both ways: all methods' alike"
     )
@@ -332,11 +357,12 @@ def main():
     extra = [add_method(text) for text in options.method]
     methods = [m for m in options.methods.split(",") if m] + extra
     os.makedirs(options.folder, exist_ok=True)
-    results = Results(os.path.join(options.folder, "kept.json"))
+    counts = [number(count) for count in options.counts.split(",")]
+    seeds = [int(count) for count in options.seeds.split(",")]
     rows = []
     for scene in options.scene.split(","):
-        for count in map(number, options.counts.split(",")):
-            bench = Bench(options, scene, count, results)
+        for i, count in enumerate(counts):
+            bench = Bench(options, scene, count, seeds[min(i, len(seeds) - 1)])
             new = list(bench.rows(methods))
             rows += new
             print_table(rows, scene, count, bench.texts)
