@@ -57,10 +57,9 @@ static Vec3 normal_of(const PhotonMap *map, uint32_t photon)
 
 static Box3 disc_box(const Disc *disc, Vec3 normal)
 {
-	static const double thickness = 0.25;
 	double r = disc->radius, n[3] = {normal.x, normal.y, normal.z}, reach[3];
 	for (int k = 0; k < 3; k++)
-		reach[k] = r * (sqrt(fmax(0, 1 - n[k] * n[k])) + thickness * fabs(n[k]));
+		reach[k] = r * sqrt(fmax(0, 1 - n[k] * n[k])) + gather_thickness(r) * fabs(n[k]);
 	Vec3 at = vec3(disc->at[0], disc->at[1], disc->at[2]);
 	Vec3 e = vec3(reach[0], reach[1], reach[2]);
 	return (Box3){vec3_sub(at, e), vec3_add(at, e)};

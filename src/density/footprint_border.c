@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "base/arena.h"
+#include "density/footprint_outline.h"
 
 /* No other triangle has b followed by a. */
 static bool is_border(const Sheet *s, uint32_t a, uint32_t b)
@@ -23,7 +24,7 @@ static EdgeList find_border(Sheet *s)
 			uint32_t a = s->triangles[t][k], b = s->triangles[t][(k + 1) % 3];
 			if (is_border(s, a, b))
 				list.all[list.count++] =
-					(Edge){a, b, s->triangles[t][(k + 2) % 3]};
+					(Edge){a, b, s->triangles[t][(k + 2) % 3], {{0}}};
 		}
 	}
 	return list;
@@ -44,83 +45,107 @@ static void set_covered(Sheet *s)
 	}
 }
 
-static void add_normal(Vertex *v, double nu, double nv, double length)
+/* ---- loops ---- */
+
+/* Border edges by the vertex that they start at. */
+typedef struct Starts { uint32_t *first, *edges; } Starts;
+
+static Starts sort_by_start(const Sheet *s, const EdgeList *border)
 {
-	v->out[0] += nu;
-	v->out[1] += nv;
-	v->border += 0.5 * length;
+	Starts starts = {memory_alloc(sizeof(uint32_t) * ((size_t)s->count + 2)),
+			 memory_alloc(sizeof(uint32_t) * ((size_t)border->count + 1))};
+	memset(starts.first, 0, sizeof(uint32_t) * ((size_t)s->count + 2));
+	for (uint32_t i = 0; i < border->count; i++)
+		starts.first[border->all[i].a + 2]++;
+	for (uint32_t i = 2; i < s->count + 2; i++)
+		starts.first[i] += starts.first[i - 1];
+	for (uint32_t i = 0; i < border->count; i++)
+		starts.edges[starts.first[border->all[i].a + 1]++] = i;
+	return starts;
+}
+
+/* The border's next edge: of those that start where one ends the first clockwise from it, so that
+ * what is between is inside. */
+static uint32_t next_edge(const Sheet *s, const EdgeList *border, const Starts *starts,
+			  uint32_t edge)
+{
+	const Edge *e = &border->all[edge];
+	const double *from = s->vertices[e->a].e, *at = s->vertices[e->b].e;
+	double least = INFINITY;
+	uint32_t best = edge;
+	for (uint32_t k = starts->first[e->b]; k < starts->first[e->b + 1]; k++) {
+		const double *to = s->vertices[border->all[starts->edges[k]].b].e;
+		double along = (from[0] - at[0]) * (to[0] - at[0]) +
+			       (from[1] - at[1]) * (to[1] - at[1]);
+		double angle = atan2(-footprint_cross(at, from, to), along);
+		angle += angle <= 0 ? 2 * M_PI : 0;
+		if (angle < least) {
+			least = angle;
+			best = starts->edges[k];
+		}
+	}
+	return best;
 }
 
 /*
  * A vertex on the border has room inside the triangles for the part of its light that its angle
- * there is of the full one; for the rest the sheet goes on outside as far as it takes. Of what is
- * alone at the end of a spike not all finds room.
+ * there is of the full one; for the rest the sheet goes on outside.
  */
-static void set_width(Vertex *v)
+static OutlineNode node_of(const Sheet *s, const Starts *starts, uint32_t vertex)
 {
-	static const double most = 0.8; /* spaces of a photon */
-	double square = v->out[0] * v->out[0] + v->out[1] * v->out[1];
-	double space = v->area / v->count, missing = 1 - v->covered;
-	double width = missing * space / v->border;
-	v->kept = 1;
-	if (width > most * sqrt(space)) {
-		v->kept = v->covered + missing * most * sqrt(space) / width;
-		width = most * sqrt(space);
-	}
-	/* The sum of two unit normals, cut to the length that makes the strip as wide. */
-	double scale = width * fmin(2 / fmax(square, 1e-9), 2 / sqrt(fmax(square, 1e-9)));
-	v->out[0] *= scale;
-	v->out[1] *= scale;
+	const Vertex *v = &s->vertices[vertex];
+	double space = v->area / v->count;
+	uint32_t passes = starts->first[vertex + 1] - starts->first[vertex];
+	return (OutlineNode){{v->e[0], v->e[1]}, space, (1 - v->covered) * space / passes};
 }
 
-/* Draws each place outside nearer to the middle of the two beside it along the border, which
- * straightens what chance has made of it. */
-static void straighten(Sheet *s, const EdgeList *border)
+static void set_outward(const Sheet *s, EdgeList *border, const uint32_t *loop, int count,
+			const double (*out)[2])
 {
-	enum { ROUNDS = 2 };
-	double (*pull)[3] = memory_alloc(sizeof *pull * s->count);
-	for (int round = 0; round < ROUNDS; round++) {
-		memset(pull, 0, sizeof *pull * s->count);
-		for (uint32_t i = 0; i < border->count; i++) {
-			uint32_t a = border->all[i].a, b = border->all[i].b;
-			for (int k = 0; k < 2; k++) {
-				const Vertex *u = &s->vertices[a], *v = &s->vertices[b];
-				double way = v->e[k] + v->out[k] - u->e[k] - u->out[k];
-				pull[a][k] += way;
-				pull[b][k] -= way;
-			}
-			pull[a][2]++;
-			pull[b][2]++;
+	for (int i = 0; i < count; i++) {
+		Edge *e = &border->all[loop[i]];
+		for (int k = 0; k < 2; k++) {
+			e->out[0][k] = out[i][k] - s->vertices[e->a].e[k];
+			e->out[1][k] = out[(i + 1) % count][k] - s->vertices[e->b].e[k];
 		}
-		for (uint32_t i = 0; i < s->count; i++)
-			for (int k = 0; k < 2 && pull[i][2] == 2; k++)
-				s->vertices[i].out[k] += 0.25 * pull[i][k];
 	}
-	free(pull);
 }
 
-static void set_outward(Sheet *s, const EdgeList *border)
+static void draw_outline(const Sheet *s, EdgeList *border)
 {
-	set_covered(s);
+	size_t room = (size_t)border->count + 1;
+	Starts starts = sort_by_start(s, border);
+	OutlineNode *nodes = memory_alloc(sizeof *nodes * room);
+	uint32_t *loop = memory_alloc(sizeof *loop * room);
+	double (*out)[2] = memory_alloc(sizeof *out * room);
+	bool *done = memory_alloc(sizeof *done * room);
+	memset(done, 0, sizeof *done * room);
 	for (uint32_t i = 0; i < border->count; i++) {
-		Vertex *a = &s->vertices[border->all[i].a], *b = &s->vertices[border->all[i].b];
-		double du = b->e[0] - a->e[0], dv = b->e[1] - a->e[1], length = hypot(du, dv);
-		if (!(length > 0))
+		int count = 0;
+		for (uint32_t e = i; !done[e]; e = next_edge(s, border, &starts, e)) {
+			done[e] = true;
+			loop[count] = e;
+			nodes[count++] = node_of(s, &starts, border->all[e].a);
+		}
+		if (count == 0)
 			continue;
-		add_normal(a, dv / length, -du / length, length);
-		add_normal(b, dv / length, -du / length, length);
+		footprint_outline(nodes, count, out);
+		set_outward(s, border, loop, count, (const double (*)[2])out);
 	}
-	for (uint32_t i = 0; i < s->count; i++) {
-		s->vertices[i].kept = s->vertices[i].used;
-		if (s->vertices[i].border > 0)
-			set_width(&s->vertices[i]);
-	}
-	straighten(s, border);
+	free(starts.first);
+	free(starts.edges);
+	free(nodes);
+	free(loop);
+	free(out);
+	free(done);
 }
 
 EdgeList footprint_border_make(Sheet *s)
 {
 	EdgeList border = find_border(s);
-	set_outward(s, &border);
+	set_covered(s);
+	for (uint32_t i = 0; i < s->count; i++)
+		s->vertices[i].kept = s->vertices[i].used;
+	draw_outline(s, &border);
 	return border;
 }

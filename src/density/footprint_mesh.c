@@ -7,6 +7,7 @@
 #include "base/arena.h"
 #include "density/footprint_delaunay.h"
 #include "density/footprint_fit.h"
+#include "density/footprint_strangers.h"
 #include "photon/tree.h"
 
 static Vec3 vec3_of(const float v[3]) { return vec3(v[0], v[1], v[2]); }
@@ -17,12 +18,6 @@ static const Photon *photon_of(const Sheet *s, uint32_t vertex)
 }
 
 /* ---- chart ---- */
-
-/* Directions are charted stereographically around their mean: circles stay circles. */
-typedef struct Chart {
-	bool plane;
-	Vec3 middle, u, v;
-} Chart;
 
 static Chart make_chart(const SheetTask *task)
 {
@@ -38,8 +33,9 @@ static Chart make_chart(const SheetTask *task)
 	return chart;
 }
 
-static void chart_place(const Chart *chart, const float emitter[3], double out[2])
+void footprint_mesh_chart(const Sheet *s, const float emitter[3], double out[2])
 {
+	const Chart *chart = &s->chart;
 	static const double least = 1e-3; /* the point across from the middle is infinitely far */
 	Vec3 e = vec3_of(emitter);
 	double scale = chart->plane ? 1 : 2 / fmax(least, 1 + vec3_dot(e, chart->middle));
@@ -74,7 +70,7 @@ static void settle_hue(Sheet *s, uint32_t vertex)
 
 static void make_vertices(Sheet *s)
 {
-	Chart chart = make_chart(s->task);
+	s->chart = make_chart(s->task);
 	s->order = make_order(s->task);
 	s->count = s->task->count;
 	s->vertices = memory_alloc(sizeof *s->vertices * s->count);
@@ -85,7 +81,7 @@ static void make_vertices(Sheet *s)
 		                          .normal = photon_normal(p),
 		                          .flux = {flux.r, flux.g, flux.b},
 		                          .own = {flux.r, flux.g, flux.b}};
-		chart_place(&chart, p->emitter, s->vertices[i].e);
+		footprint_mesh_chart(s, p->emitter, s->vertices[i].e);
 		if (s->task->hue_slopes)
 			settle_hue(s, i);
 	}
@@ -141,7 +137,7 @@ static void set_space(Sheet *s, uint32_t vertex)
 
 /* Triangles that reach over a gap of the sheet or along its border: their circles are large beside
  * what photons are apart. At random, five in ten thousand are dropped. */
-static bool bridges_gap(const Sheet *s, const uint32_t t[3])
+bool footprint_mesh_bridges(const Sheet *s, const uint32_t t[3])
 {
 	static const double most_radius2 = 4;
 	double space = INFINITY;
@@ -153,14 +149,19 @@ static bool bridges_gap(const Sheet *s, const uint32_t t[3])
 static void drop_bridges(Sheet *s)
 {
 	uint32_t kept = 0;
+	bool *gaps = memory_alloc(s->triangle_count + 1);
+	memset(gaps, 0, s->triangle_count + 1);
 	for (uint32_t i = 0; i < s->count; i++)
 		set_space(s, i);
+	if (s->task->strangers)
+		footprint_strangers_find(s, gaps);
 	for (uint32_t t = 0; t < s->triangle_count; t++) {
-		if (bridges_gap(s, s->triangles[t]))
+		if (gaps[t] || footprint_mesh_bridges(s, s->triangles[t]))
 			continue;
 		memmove(s->triangles[kept++], s->triangles[t], sizeof *s->triangles);
 	}
 	s->triangle_count = kept;
+	free(gaps);
 }
 
 static void make_triangles(Sheet *s)

@@ -22,15 +22,20 @@ typedef struct Vertex {
 	double trust;
 	double covered; /* how much of the full angle triangles fill: 0..1 */
 	double kept;    /* share of its light that patches have room for */
-	double out[2];  /* of vertices on the border: sum of the edges' normals */
-	double border;  /* half the length of its edges on the border */
 	double own[3];  /* its photon's flux */
 	double drawn;   /* photons that its patches stand for */
 	bool fitted, used;
 } Vertex;
 
+/* Directions are charted stereographically around their mean: circles stay circles. */
+typedef struct Chart {
+	bool plane;
+	Vec3 middle, u, v;
+} Chart;
+
 typedef struct Sheet {
 	const SheetTask *task;
+	Chart chart;
 	uint32_t *order; /* vertices stand along a curve: their photons' numbers in the task */
 	Vertex *vertices;
 	uint32_t count;
@@ -49,6 +54,11 @@ typedef struct Sheet {
 /* Vertices, triangles that reach over no gap, and the density of photons in the chart. */
 void footprint_mesh_make(Sheet *sheet, const SheetTask *task);
 void footprint_mesh_free(Sheet *sheet);
+
+/* Where emitter coordinates are in the chart. */
+void footprint_mesh_chart(const Sheet *sheet, const float emitter[3], double out[2]);
+/* Whether a triangle reaches over a gap of the sheet or along its border. */
+bool footprint_mesh_bridges(const Sheet *sheet, const uint32_t triangle[3]);
 
 /*
  * Neighbours exchange a part of their values, again and again, so that the sums stay. values:
@@ -78,14 +88,17 @@ void footprint_slopes_fit(Sheet *sheet);
 void footprint_slopes_spread_hues(Sheet *sheet);
 
 /* footprint_border.c: the sheet's border, and how far it goes on beyond its outermost photons. */
-typedef struct Edge { uint32_t a, b, across; } Edge; /* inside to the left of a b */
+typedef struct Edge {
+	uint32_t a, b, across; /* inside to the left of a b */
+	double out[2][2];      /* from a and from b: where the sheet ends, in the chart */
+} Edge;
 
 typedef struct EdgeList {
 	Edge *all;
 	uint32_t count;
 } EdgeList;
 
-/* Sets the vertices' out and kept. The block is the caller's to free. */
+/* Sets the vertices' kept. The block is the caller's to free. */
 EdgeList footprint_border_make(Sheet *sheet);
 
 #endif

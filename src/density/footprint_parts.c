@@ -14,33 +14,9 @@
 #include "base/arena.h"
 #include "base/parallel.h"
 #include "density/footprint_hue.h"
+#include "density/footprint_strangers.h"
 #include "density/gather.h"
-
-/* ---- kinds ---- */
-
-/* A photon's kind and its number. */
-typedef struct Key { uint64_t kind; uint32_t photon; } Key;
-
-static int compare_keys(const void *a, const void *b)
-{
-	const Key *x = a, *y = b;
-	if (x->kind != y->kind)
-		return x->kind < y->kind ? -1 : 1;
-	return (x->photon > y->photon) - (x->photon < y->photon);
-}
-
-static Key *make_keys(const PhotonMap *map)
-{
-	Key *keys = memory_alloc(sizeof *keys * (map->count + 1));
-	for (uint32_t i = 0; i < map->count; i++) {
-		const Photon *p = &map->photons[i];
-		uint64_t landed = (uint64_t)p->light << 16 | p->object;
-		uint64_t way = (uint64_t)p->path << 8 | p->edges;
-		keys[i] = (Key){landed << 24 | way, i};
-	}
-	qsort(keys, map->count, sizeof *keys, compare_keys);
-	return keys;
-}
+#include "photon/group.h"
 
 /* ---- a kind ---- */
 
@@ -51,6 +27,7 @@ typedef struct Making {
 	FootprintHues hues;
 	FootprintParts parts;
 	float *trust;  /* of each photon of the map */
+	Strangers *strangers;
 } Making;
 
 static void add_sheet(Making *m, const SheetTask *task)
@@ -148,7 +125,8 @@ static Parted parted_of(const Hued *hued, uint32_t count)
 	return parted;
 }
 
-static void add_slice(Making *m, const Parted *parted, uint32_t first, uint32_t count, int slice)
+static void add_slice(Making *m, uint32_t kind, const Parted *parted, uint32_t first,
+		      uint32_t count, int slice)
 {
 	SheetTask task = {.map = m->map,
 	                  .photons = parted->photons + first,
@@ -157,11 +135,13 @@ static void add_slice(Making *m, const Parted *parted, uint32_t first, uint32_t 
 	                  .hues = parted->hues + first,
 	                  .hue_slopes = (const float (*)[3])(parted->slopes + first),
 	                  .hue = (slice + 0.5) / SLICES,
-	                  .hue_width = 1.0 / SLICES};
+	                  .hue_width = 1.0 / SLICES,
+	                  .strangers = m->strangers,
+	                  .kind = kind};
 	add_sheet(m, &task);
 }
 
-static void add_parted(Making *m, const uint32_t *photons, uint32_t count)
+static void add_parted(Making *m, uint32_t kind, const uint32_t *photons, uint32_t count)
 {
 	Hued *hued = find_hues(m, photons, count);
 	for (uint32_t i = 0; i < count; i++)
@@ -174,7 +154,7 @@ static void add_parted(Making *m, const uint32_t *photons, uint32_t count)
 	for (uint32_t first = 0, last; first < count; first = last) {
 		for (last = first + 1; last < count && hued[last].slice == hued[first].slice;)
 			last++;
-		add_slice(m, &parted, first, last - first, hued[first].slice);
+		add_slice(m, kind, &parted, first, last - first, hued[first].slice);
 	}
 	free(parted.photons);
 	free(parted.hues);
@@ -182,25 +162,41 @@ static void add_parted(Making *m, const uint32_t *photons, uint32_t count)
 	free(hued);
 }
 
-static void add_kind(Making *m, const Key *keys, uint32_t count)
+static void add_kind(Making *m, uint32_t kind, const uint32_t *photons, uint32_t count)
 {
-	uint32_t *photons = memory_alloc(sizeof *photons * count);
-	for (uint32_t i = 0; i < count; i++)
-		photons[i] = keys[i].photon;
 	if (is_parted(m->map, photons, count)) {
-		add_parted(m, photons, count);
+		add_parted(m, kind, photons, count);
 	} else {
-		SheetTask task = {
-			.map = m->map, .photons = photons, .count = count, .shrink = m->shrink};
+		SheetTask task = {.map = m->map,
+		                  .photons = photons,
+		                  .count = count,
+		                  .shrink = m->shrink,
+		                  .strangers = m->strangers,
+		                  .kind = kind};
 		add_sheet(m, &task);
 	}
-	free(photons);
 }
 
 /* ---- discs ---- */
 
-enum { DISC_COUNT = 48 };
+enum { DISC_COUNT = 40 };
 
+/* Of the light around, that which found no sheet. */
+static double share_left(const Making *m, const Neighbor *near, int count)
+{
+	double all = 0, left = 0;
+	for (int i = 0; i < count; i++) {
+		double flux = brightness(m->map, near[i].index);
+		all += flux;
+		left += (1 - m->trust[near[i].index]) * flux;
+	}
+	return all > 0 ? left / all : 1;
+}
+
+/*
+ * A disc of area A blurs by its part s of the light times A, squared, and leaves noise like s / A:
+ * the sum is least where A goes with the cube root of 1 / s.
+ */
 static void set_disc(void *data, long item, int thread)
 {
 	(void)thread;
@@ -210,9 +206,11 @@ static void set_disc(void *data, long item, int thread)
 	GatherPoint point = {.position = vec3(p->position[0], p->position[1], p->position[2]),
 	                     .normal = photon_normal(p)};
 	GatherTask task = {.map = m->map, .point = &point};
+	static const double least_share = 1e-3;
 	Neighbor found[GATHER_ROOM(DISC_COUNT)];
 	double radius2 = 0, least = 1e-3 * m->map->spacing;
-	gather_nearest(&task, DISC_COUNT, m->reach, found, &radius2);
+	int count = gather_nearest(&task, DISC_COUNT, m->reach, found, &radius2);
+	radius2 /= cbrt(fmax(share_left(m, found, count), least_share));
 	memcpy(disc->at, p->position, sizeof disc->at);
 	disc->radius = (float)fmax(m->disc_shrink * sqrt(radius2), least);
 	disc->flux = rgb_scale(photon_flux(p), 1 - m->trust[disc->photon]);
@@ -245,23 +243,45 @@ static double shrink_of(const EstimatorSetup *setup)
 	return scale * sqrt(disc_shrink_of(setup));
 }
 
+/* Photons sorted by kind, and the kinds' numbers. */
+static void sort_photons(const PhotonMap *map, uint32_t *photons, uint32_t *kinds)
+{
+	uint64_t *keys = memory_alloc(sizeof *keys * ((size_t)map->count + 1));
+	for (uint32_t i = 0; i < map->count; i++)
+		keys[i] = photon_kind(&map->photons[i]);
+	photon_group(keys, map->count, photons);
+	for (uint32_t i = 0; i < map->count; i++)
+		kinds[i] = i > 0 ? kinds[i - 1] + (keys[photons[i]] != keys[photons[i - 1]]) : 0;
+	free(keys);
+}
+
+static void add_sheets(Making *m)
+{
+	size_t room = (size_t)m->map->count + 1;
+	uint32_t *photons = memory_alloc(sizeof *photons * room),
+		 *kinds = memory_alloc(sizeof *kinds * room);
+	sort_photons(m->map, photons, kinds);
+	m->strangers = footprint_strangers_create(m->map, photons, kinds);
+	for (uint32_t first = 0, end; first < m->map->count; first = end) {
+		for (end = first + 1; end < m->map->count && kinds[end] == kinds[first];)
+			end++;
+		add_kind(m, kinds[first], photons + first, end - first);
+	}
+	footprint_strangers_destroy(m->strangers);
+	free(photons);
+	free(kinds);
+}
+
 FootprintParts footprint_parts(const EstimatorSetup *setup)
 {
 	const PhotonMap *map = setup->map;
-	Key *keys = make_keys(map);
 	Making m = {.map = map,
 	            .shrink = shrink_of(setup),
 	            .disc_shrink = disc_shrink_of(setup),
 	            .reach = gather_reach(map, DISC_COUNT),
 	            .hues = footprint_hues(),
 	            .trust = memory_alloc(sizeof(float) * (map->count + 1))};
-	for (uint32_t first = 0, count; first < map->count; first += count) {
-		for (count = 1; first + count < map->count &&
-				keys[first + count].kind == keys[first].kind;)
-			count++;
-		add_kind(&m, keys + first, count);
-	}
-	free(keys);
+	add_sheets(&m);
 	add_discs(&m);
 	free(m.trust);
 	return m.parts;

@@ -233,8 +233,8 @@ static void draw_border(Sheet *s, const Edge *edge)
 	if (!is_smooth(a, b))
 		return;
 	Corner inner_a = corner_at(a), inner_b = corner_at(b);
-	Corner outer_a = corner_beyond(a, triangle, a->out),
-	       outer_b = corner_beyond(b, triangle, b->out);
+	Corner outer_a = corner_beyond(a, triangle, edge->out[0]),
+	       outer_b = corner_beyond(b, triangle, edge->out[1]);
 	draw(s, (Corner[3]){inner_a, outer_a, inner_b}, true);
 	draw(s, (Corner[3]){inner_b, outer_a, outer_b}, true);
 }

@@ -9,6 +9,8 @@
 #include "density/footprint_patch.h"
 #include "photon/map.h"
 
+typedef struct Strangers Strangers;
+
 typedef struct SheetTask {
 	const PhotonMap *map;
 	const uint32_t *photons; /* numbers in the map */
@@ -19,6 +21,8 @@ typedef struct SheetTask {
 	const float *hues;
 	const float (*hue_slopes)[3];
 	double hue, hue_width;
+	const Strangers *strangers; /* NULL: not looked at */
+	uint32_t kind;              /* the sheet's, among theirs */
 } SheetTask;
 
 /* Adds to; the block is the caller's to free. */

@@ -3,7 +3,12 @@
 #include <math.h>
 #include <stdlib.h>
 
-static const double least_cosine = 0.5, thickness = 0.25;
+static const double least_cosine = 0.5;
+
+double gather_thickness(double radius)
+{
+	return 0.25 * radius;
+}
 
 bool gather_accepts(const GatherPoint *point, const Photon *photon, double radius)
 {
@@ -11,7 +16,7 @@ bool gather_accepts(const GatherPoint *point, const Photon *photon, double radiu
 	if ((point->both_sides ? fabs(cosine) : cosine) < least_cosine)
 		return false;
 	Vec3 at = vec3(photon->position[0], photon->position[1], photon->position[2]);
-	return fabs(vec3_dot(vec3_sub(at, point->position), point->normal)) <= thickness * radius;
+	return fabs(vec3_dot(vec3_sub(at, point->position), point->normal)) <= gather_thickness(radius);
 }
 
 /* Directions as they are; a plane's coordinates relative to the disc that was sampled. */

@@ -12,6 +12,8 @@
 
 #include "density/method.h"
 
+/* How far along the normal photons may lie. */
+double gather_thickness(double radius);
 bool gather_accepts(const GatherPoint *point, const Photon *photon, double radius);
 
 /* Sums in double precision, so that the photons' order hardly shows. */

@@ -7,8 +7,10 @@ libdensity_a_SOURCES = src/density/estimator.h src/density/estimator.c src/densi
 	src/density/footprint_fit.h src/density/footprint_fit.c \
 	src/density/footprint_hue.h src/density/footprint_hue.c \
 	src/density/footprint_mesh.h src/density/footprint_mesh.c \
+	src/density/footprint_outline.h src/density/footprint_outline.c \
 	src/density/footprint_parts.h src/density/footprint_parts.c \
 	src/density/footprint_patch.h src/density/footprint_patch.c \
 	src/density/footprint_sheet.h src/density/footprint_sheet.c \
 	src/density/footprint_slopes.c \
+	src/density/footprint_strangers.h src/density/footprint_strangers.c \
 	src/density/footprint_tree.h src/density/footprint_tree.c

@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "base/arena.h"
+#include "photon/group.h"
 
 enum { KEYS = UINT16_MAX + 1 };
 
@@ -24,17 +25,17 @@ static uint16_t key_of(const RelaxForest *forest, uint32_t point)
 
 static void sort_members(RelaxForest *forest)
 {
-	uint32_t count = forest->set->count, *next = forest->starts + 1;
+	uint32_t count = forest->set->count, at = 0;
+	uint64_t *keys = memory_alloc(sizeof *keys * ((size_t)count + 1));
 	for (uint32_t i = 0; i < count; i++)
-		next[key_of(forest, i)]++;
-	uint32_t sum = 0;
-	for (int key = 0; key < KEYS; key++) {
-		uint32_t own = next[key];
-		next[key] = sum; /* where the next one goes: in the end, where the key's end */
-		sum += own;
+		keys[i] = key_of(forest, i);
+	photon_group(keys, count, forest->members);
+	free(keys);
+	for (uint32_t key = 0; key <= KEYS; key++) {
+		while (at < count && key_of(forest, forest->members[at]) < key)
+			at++;
+		forest->starts[key] = at;
 	}
-	for (uint32_t i = 0; i < count; i++)
-		forest->members[next[key_of(forest, i)]++] = i;
 }
 
 typedef struct Place {

@@ -14,3 +14,6 @@ tests_unit_test_footprint_tree_LDADD = libphoton.a libbase.a
 check_PROGRAMS += tests/unit/test_footprint_patch
 tests_unit_test_footprint_patch_SOURCES = tests/unit/test_footprint_patch.c tests/unit/check.h
 tests_unit_test_footprint_patch_LDADD = libdensity.a libphoton.a libbase.a
+check_PROGRAMS += tests/unit/test_footprint_outline
+tests_unit_test_footprint_outline_SOURCES = tests/unit/test_footprint_outline.c tests/unit/check.h
+tests_unit_test_footprint_outline_LDADD = libdensity.a libbase.a

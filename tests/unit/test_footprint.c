@@ -184,15 +184,53 @@ static void test_hues(void)
 	photon_map_destroy(map);
 }
 
+/* A map of second order is known from few photons, straight borders too. */
+static void test_fold(void)
+{
+	static const double pixel = 0.02;
+	PhotonMap *map = make_map(40, 0, folded);
+	DensityEstimator *estimator = make(map, 0);
+	double error = 0;
+	for (int i = 0; i < 20; i++) {
+		double x = 0.01 + 0.03 * i, truth = (sqrt(x + 0.5 * pixel) -
+						     sqrt(fmax(0, x - 0.5 * pixel))) / pixel;
+		error += pow(density(estimator, x, 0.5, pixel) / truth - 1, 2) / 20;
+	}
+	CHECK(sqrt(error) < 0.02);
+	estimator_destroy(estimator);
+	photon_map_destroy(map);
+}
+
+/* Waves and folds that a hundred photons do not resolve. */
+static void wavy(double u, double v, double to[2])
+{
+	double s = 2 * u - 1;
+	to[0] = s * s + 0.05 * sin(14 * s);
+	to[1] = v;
+}
+
+/* The density of light from x - pixel / 2 to x + pixel / 2. */
+static double wavy_truth(double x, double pixel)
+{
+	enum { STEPS = 20000 };
+	double to[2];
+	int inside = 0;
+	for (int i = 0; i < STEPS; i++) {
+		wavy((i + 0.5) / STEPS, 0, to);
+		inside += fabs(to[0] - x) < 0.5 * pixel;
+	}
+	return inside / (STEPS * pixel);
+}
+
 /* Root mean square distance from the truth, relative to it, beside the fold, of the mean of some
  * passes of few photons each. */
-static double folded_error(int passes, double power)
+static double wavy_error(int passes, double power)
 {
-	enum { POINTS = 20 };
+	enum { POINTS = 20, PHOTONS = 150 };
 	static const double pixel = 0.02;
 	double sums[POINTS] = {0}, error = 0;
 	for (int pass = 0; pass < passes; pass++) {
-		PhotonMap *map = make_map(40, (uint64_t)pass * 40, folded);
+		PhotonMap *map = make_map(PHOTONS, (uint64_t)pass * PHOTONS, wavy);
 		double start = map->spacing * sqrt(50 / M_PI);
 		DensityEstimator *estimator = make(map, start * pow(pass + 1, -power));
 		for (int i = 0; i < POINTS; i++)
@@ -200,20 +238,17 @@ static double folded_error(int passes, double power)
 		estimator_destroy(estimator);
 		photon_map_destroy(map);
 	}
-	for (int i = 0; i < POINTS; i++) {
-		double x = 0.01 + 0.03 * i, truth = (sqrt(x + 0.5 * pixel) -
-						     sqrt(fmax(0, x - 0.5 * pixel))) / pixel;
-		error += pow(sums[i] / truth - 1, 2) / POINTS;
-	}
+	for (int i = 0; i < POINTS; i++)
+		error += pow(sums[i] / wavy_truth(0.01 + 0.03 * i, pixel) - 1, 2) / POINTS;
 	return sqrt(error);
 }
 
 /* The mean of passes converges as their patches shrink; else the few photons' polygons stay. */
 static void test_passes(void)
 {
-	double first = folded_error(1, 0), even = folded_error(256, 0),
-	       last = folded_error(256, 1.0 / 6);
-	CHECK(last < 0.5 * first);
+	double first = wavy_error(1, 0), even = wavy_error(256, 0),
+	       last = wavy_error(256, 1.0 / 3);
+	CHECK(last < 0.6 * first);
 	CHECK(last < 0.8 * even);
 }
 
@@ -287,8 +322,8 @@ static void test_parted_passes(void)
 {
 	double first = parted_error(1, 0), even = parted_error(64, 0),
 	       last = parted_error(64, 1.0 / 3);
-	CHECK(last < 0.8 * first);
-	CHECK(last < 0.9 * even);
+	CHECK(last < 0.95 * first);
+	CHECK(last < 0.95 * even);
 }
 
 /* A sheet's light in a square of windows that leaves nothing out. */
@@ -337,6 +372,48 @@ static void test_crease(void)
 			between += density(estimator, 0.7 - 0.3 * v + off, v, 0.01) * 0.01 * 0.1;
 	CHECK(between < 0.01);
 	CHECK_NEAR(total(estimator, -0.5, 3, 300), 1, 0.005);
+	estimator_destroy(estimator);
+	photon_map_destroy(map);
+}
+
+/* A gap hardly wider than photons are apart, known from the photons that went elsewhere. */
+static void test_gap(void)
+{
+	static const double from = 0.48, to = 0.52;
+	PhotonMap *map = known_map_photons(&(KnownMap){even, 0, 1}, 4000, 0);
+	for (uint32_t i = 0; i < map->count; i++) {
+		Photon *p = &map->photons[i];
+		if (p->emitter[0] > from && p->emitter[0] < to) {
+			p->position[0] += 10;
+			p->path = 7;
+		}
+	}
+	photon_map_index(map, 0);
+	DensityEstimator *estimator = make(map, 0);
+	double within = 0;
+	for (double v = 0.05; v < 0.95; v += 0.01)
+		within += density(estimator, 0.5 * (from + to), v, 0) / 90;
+	CHECK(within < 0.2);
+	CHECK_NEAR(total(estimator, -0.5, 2, 200), 1 - (to - from), 0.005);
+	estimator_destroy(estimator);
+	photon_map_destroy(map);
+}
+
+/* One in ten, at random, goes elsewhere: no gaps. */
+static void test_split(void)
+{
+	PhotonMap *map = known_map_photons(&(KnownMap){even, 0, 1}, 4000, 0);
+	for (uint32_t i = 0; i < map->count; i++) {
+		if (random_uniform(12, i, 0) < 0.1) {
+			map->photons[i].position[0] += 10;
+			map->photons[i].path = 7;
+		}
+	}
+	photon_map_index(map, 0);
+	DensityEstimator *estimator = make(map, 0);
+	for (double u = 0.1; u < 0.9; u += 0.02)
+		for (double v = 0.1; v < 0.9; v += 0.02)
+			CHECK_NEAR(density(estimator, u, v, 0.01), 0.9, 0.3);
 	estimator_destroy(estimator);
 	photon_map_destroy(map);
 }
@@ -412,10 +489,13 @@ int main(void)
 	test_border();
 	test_strangers();
 	test_hues();
+	test_fold();
 	test_passes();
 	test_parted_passes();
 	test_alone();
 	test_crease();
+	test_gap();
+	test_split();
 	test_thinned();
 	test_few();
 	return CHECK_RESULT();

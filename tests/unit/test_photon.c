@@ -1,4 +1,5 @@
 /* The photon record, and photon maps as files. */
+#include "photon/group.h"
 #include "photon/map.h"
 
 #include <stdlib.h>
@@ -129,8 +130,24 @@ static void test_map(void)
 	diag_destroy(diag);
 }
 
+/* Photons of equal keys stand together, in their order; keys differ in high and low digits. */
+static void test_group(void)
+{
+	enum { COUNT = 300 };
+	uint64_t keys[COUNT];
+	uint32_t order[COUNT];
+	for (uint32_t i = 0; i < COUNT; i++)
+		keys[i] = (uint64_t)(i * 7 % 5) << 50 | i * 13 % 11;
+	photon_group(keys, COUNT, order);
+	for (uint32_t i = 1; i < COUNT; i++) {
+		uint64_t before = keys[order[i - 1]], key = keys[order[i]];
+		CHECK(before < key || (before == key && order[i - 1] < order[i]));
+	}
+}
+
 int main(void)
 {
+	test_group();
 	test_record();
 	test_map();
 	return CHECK_RESULT();
