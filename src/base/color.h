@@ -30,6 +30,7 @@ static inline float rgb_max(Rgb a)
 	return m > a.b ? m : a.b;
 }
 /* POV-Ray's grey value of a colour. */
+static inline Rgb rgb_gray_parts(Rgb a) { return (Rgb){0.297f * a.r, 0.589f * a.g, 0.114f * a.b}; }
 static inline float rgb_gray(Rgb a) { return 0.297f * a.r + 0.589f * a.g + 0.114f * a.b; }
 
 static inline Rgbft rgbft(float r, float g, float b, float filter, float transmit)

@@ -8,51 +8,59 @@
 #include "geom/plane.h"
 #include "geom/sphere.h"
 
-/* Where a ray that starts at tmin crosses one first; NaN where it does not. */
-static inline double plain_sphere(const Sphere *sphere, const Ray *ray)
+/* Shapes without transform, clips and bounds, of classes that have `quick`: spheres first, up to
+ * sphere_end, then planes, up to plane_end, then others. */
+typedef struct PlainShapes {
+	const Shape *const *shapes;
+	int sphere_end, plane_end, count;
+} PlainShapes;
+
+/* What the search for the nearest crossing has found: a crossing of `first`, or with first NULL and
+ * found true one that is already in the caller's Hit. */
+typedef struct PlainSearch {
+	double end;
+	const Shape *first;
+	bool found;
+} PlainSearch;
+
+static inline void plain_take(PlainSearch *search, const Ray *ray, const Shape *shape, double t)
 {
-	double t[2];
-	if (!sphere_cross(sphere->center, sphere->radius, ray, t))
-		return NAN;
-	return t[0] > ray->tmin ? t[0] : t[1];
+	if (!(t > ray->tmin && t < search->end))
+		return;
+	search->end = t;
+	search->first = shape;
+	search->found = true;
 }
 
-static inline double plain_plane(const Plane *plane, const Ray *ray)
+static inline void plain_search_others(const PlainShapes *plain, const Ray *ray,
+				       PlainSearch *search, Hit *best)
 {
-	double t;
-	return plane_cross(plane, ray, &t) ? t : NAN;
-}
-
-/* The nearest crossing of all of some shapes without transform, clips and bounds, of classes that
- * have `quick`; *best is left alone when there is none. */
-static inline bool plain_nearest(const Shape *const *shapes, int count, const Ray *ray, Hit *best)
-{
-	double end = ray->tmax, t;
-	const Shape *first = NULL;
-	bool other = false; /* *best is it */
-	for (int i = 0; i < count; i++) {
-		const Shape *shape = shapes[i];
-		if (shape->class == &sphere_class) {
-			t = plain_sphere(shape->data, ray);
-		} else if (shape->class == &plane_class) {
-			t = plain_plane(shape->data, ray);
-		} else {
-			Ray cut = {ray->origin, ray->direction, ray->tmin, end};
-			if (shape->class->nearest(shape, &cut, best)) {
-				end = best->t;
-				first = NULL;
-				other = true;
-			}
-			continue;
-		}
-		if (t > ray->tmin && t < end) {
-			end = t;
-			first = shape;
-		}
+	for (int i = plain->plane_end; i < plain->count; i++) {
+		const Shape *shape = plain->shapes[i];
+		Ray cut = {ray->origin, ray->direction, ray->tmin, search->end};
+		if (shape->class->nearest(shape, &cut, best))
+			*search = (PlainSearch){best->t, NULL, true};
 	}
-	if (first)
-		*best = (Hit){.t = end, .shape = first};
-	return first || other;
+}
+
+/* The nearest crossing of all; *best is left alone when there is none. */
+static inline bool plain_nearest(const PlainShapes *plain, const Ray *ray, Hit *best)
+{
+	PlainSearch search = {ray->tmax, NULL, false};
+	double t[2];
+	for (int i = 0; i < plain->sphere_end; i++) {
+		const Sphere *sphere = plain->shapes[i]->data;
+		if (sphere_cross(sphere->center, sphere->radius, ray, t))
+			plain_take(&search, ray, plain->shapes[i],
+				   t[0] > ray->tmin ? t[0] : t[1]);
+	}
+	for (int i = plain->sphere_end; i < plain->plane_end; i++)
+		if (plane_cross(plain->shapes[i]->data, ray, t))
+			plain_take(&search, ray, plain->shapes[i], t[0]);
+	plain_search_others(plain, ray, &search, best);
+	if (search.first)
+		*best = (Hit){.t = search.end, .shape = search.first};
+	return search.found;
 }
 
 /* hit_shading_normal, for any shape. */

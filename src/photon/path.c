@@ -199,8 +199,8 @@ static void find_uniform_ways(const Path *path, const Meeting *at, double ior, W
 	double cosine = real_min(-vec3_dot(path->ray.direction, at->normal), 1);
 	ways->bend = refraction_of(cosine, ior);
 	ways->delta = bsdf_finish_is_delta(texture->finish);
-	ways->count = bsdf_layer_events(texture->finish, &texture->pigment->color, &ways->bend,
-					ways->events);
+	ways->count = 2;
+	bsdf_layer_events(texture->finish, &texture->pigment->color, &ways->bend, ways->events);
 }
 
 static void find_textured_ways(Path *path, const Meeting *at, double ior, Ways *ways)
@@ -248,13 +248,15 @@ static BsdfEvent *choose_event(Path *path, const Surface *surface, Ways *ways)
 {
 	float shares[BSDF_MAX_EVENTS], total = 0;
 	BsdfEvent *events = ways->events;
+	Rgb flux = rgb_gray_parts(path->flux);
 	int last = -1, choices = 0;
 	for (int i = 0; i < ways->count; i++) {
-		float share = allowed(path, surface, &events[i])
-				      ? rgb_gray(rgb_mul(events[i].weight, path->flux))
-				      : 0;
-		shares[i] = share > 0 ? share : 0;
-		total += shares[i];
+		Rgb weight = events[i].weight;
+		float share = weight.r * flux.r + weight.g * flux.g + weight.b * flux.b;
+		if (!(share > 0) || !allowed(path, surface, &events[i]))
+			share = 0;
+		shares[i] = share;
+		total += share;
 		choices += share > 0;
 		last = share > 0 ? i : last;
 	}

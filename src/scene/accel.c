@@ -33,7 +33,7 @@ struct Accel {
 	const Shape **direct; /* asked without a look at their boxes: the unbounded ones, and
 				 without Embree those that are as quick as their boxes */
 	int direct_count;
-	int plain_count; /* the first of these, of which the class alone says all */
+	PlainShapes plain; /* the first of these, of which the class alone says all */
 	bool all_plain;  /* there are no others at all */
 	const Shape **bounded; /* the others but for the meshes that Embree has as triangles */
 	int bounded_count;
@@ -134,12 +134,11 @@ static bool query_shape(Query *query, const Shape *shape)
 static bool query_direct(Query *query)
 {
 	const Accel *accel = query->accel;
-	if (!query->filter &&
-	    plain_nearest(accel->direct, accel->plain_count, &query->ray, query->best)) {
+	if (!query->filter && plain_nearest(&accel->plain, &query->ray, query->best)) {
 		query->ray.tmax = query->best->t;
 		query->found = true;
 	}
-	for (int i = query->filter ? 0 : accel->plain_count; i < accel->direct_count; i++)
+	for (int i = query->filter ? 0 : accel->plain.count; i < accel->direct_count; i++)
 		if (query_shape(query, accel->direct[i]) && query->any)
 			return true;
 	return query->any && query->found;
@@ -433,19 +432,34 @@ static void take_quick_ones(Accel *accel)
 	accel->bounded_count = kept;
 }
 
-/* To the front, in their order. */
+enum { SPHERES, PLANES, OTHERS, PLAIN_KINDS };
+
+/* PLAIN_KINDS for what is not plain. */
+static int plain_kind(const Shape *shape)
+{
+	if (!shape->class->quick || shape->transform || shape->clip_count || shape->bound_count)
+		return PLAIN_KINDS;
+	return shape->class == &sphere_class  ? SPHERES
+	       : shape->class == &plane_class ? PLANES
+					      : OTHERS;
+}
+
+/* To the front, kind by kind, in their order. */
 static void put_plain_ones_first(Accel *accel)
 {
-	for (int i = 0; i < accel->direct_count; i++) {
-		const Shape *shape = accel->direct[i];
-		if (!shape->class->quick || shape->transform || shape->clip_count ||
-		    shape->bound_count)
-			continue;
-		memmove(&accel->direct[accel->plain_count + 1],
-			&accel->direct[accel->plain_count],
-			sizeof *accel->direct * (size_t)(i - accel->plain_count));
-		accel->direct[accel->plain_count++] = shape;
+	int ends[PLAIN_KINDS], end = 0;
+	for (int kind = 0; kind < PLAIN_KINDS; kind++) {
+		for (int i = end; i < accel->direct_count; i++) {
+			const Shape *shape = accel->direct[i];
+			if (plain_kind(shape) != kind)
+				continue;
+			memmove(&accel->direct[end + 1], &accel->direct[end],
+				sizeof *accel->direct * (size_t)(i - end));
+			accel->direct[end++] = shape;
+		}
+		ends[kind] = end;
 	}
+	accel->plain = (PlainShapes){accel->direct, ends[SPHERES], ends[PLANES], ends[OTHERS]};
 }
 
 Accel *accel_create(const Shape *const *shapes, int count)
@@ -467,7 +481,7 @@ Accel *accel_create(const Shape *const *shapes, int count)
 		take_quick_ones(accel);
 	put_plain_ones_first(accel);
 	accel->all_plain = !accel->scene && !accel->bounded_count &&
-			   accel->plain_count == accel->direct_count;
+			   accel->plain.count == accel->direct_count;
 	return accel;
 }
 
@@ -490,7 +504,7 @@ void accel_destroy(Accel *accel)
 bool accel_nearest(const Accel *accel, const Ray *ray, AccelFilter *accept, void *data, Hit *out)
 {
 	if (accel->all_plain && !accept)
-		return plain_nearest(accel->direct, accel->plain_count, ray, out);
+		return plain_nearest(&accel->plain, ray, out);
 	Query query = {.accel = accel, .ray = *ray, .filter = accept, .data = data, .best = out};
 	return query_run(&query);
 }

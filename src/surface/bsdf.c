@@ -223,12 +223,6 @@ Rgb bsdf_eval(const Bsdf *bsdf, Vec3 to, bool highlights)
 	return sum;
 }
 
-bool bsdf_finish_is_delta(const Finish *finish)
-{
-	return finish->diffuse == 0 && finish->diffuse_back == 0 && finish->phong <= 0 &&
-	       finish->specular <= 0;
-}
-
 bool bsdf_is_delta(const Bsdf *bsdf)
 {
 	for (int i = 0; i < bsdf->count; i++)

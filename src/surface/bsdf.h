@@ -66,7 +66,11 @@ Rgb bsdf_emission(const Bsdf *bsdf, Rgb ambient_light);
 Rgb bsdf_eval(const Bsdf *bsdf, Vec3 to, bool highlights);
 /* True when eval is black for every direction. */
 bool bsdf_is_delta(const Bsdf *bsdf);
-bool bsdf_finish_is_delta(const Finish *finish);
+static inline bool bsdf_finish_is_delta(const Finish *finish)
+{
+	return finish->diffuse == 0 && finish->diffuse_back == 0 && finish->phong <= 0 &&
+	       finish->specular <= 0;
+}
 /* True when light from the back side (to below the surface) can count. */
 bool bsdf_sees_back(const Bsdf *bsdf);
 

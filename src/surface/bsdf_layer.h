@@ -54,25 +54,20 @@ static inline void bsdf_set_event(BsdfEvent *event, BsdfEventKind kind, Rgb weig
 	event->total = false;
 }
 
-/* All but where they go, which bsdf_layer_direction tells; returns how many. */
-static inline int bsdf_layer_events(const Finish *finish, const Rgbft *color, const Refraction *at,
-				    BsdfEvent out[2])
+/* The passage and the mirror, in this order, all but where they go, which bsdf_layer_direction
+ * tells. Either may be black, which then stands for no event. */
+static inline void bsdf_layer_events(const Finish *finish, const Rgbft *color, const Refraction *at,
+				     BsdfEvent out[2])
 {
 	Rgb mirrored = bsdf_finish_mirror(finish, color, at);
 	Rgb through = bsdf_finish_through(finish, color, mirrored);
-	int count = 0;
-	bool total = false;
-	if (!rgb_is_black(through)) {
-		bool bent = refraction_bends(at->ior);
-		BsdfEvent *event = &out[count++];
-		total = bent && at->inner2 < 0;
-		bsdf_set_event(event, BSDF_TRANSMIT, total ? rgb_all(1) : through, 1);
-		event->bent = bent;
-		event->total = total;
-	}
-	if (!rgb_is_black(mirrored) && !total)
-		bsdf_set_event(&out[count++], BSDF_REFLECT, mirrored, finish->reflection.exponent);
-	return count;
+	bool bent = refraction_bends(at->ior);
+	bool total = bent && at->inner2 < 0 && !rgb_is_black(through);
+	bsdf_set_event(&out[0], BSDF_TRANSMIT, total ? rgb_all(1) : through, 1);
+	out[0].bent = bent;
+	out[0].total = total;
+	bsdf_set_event(&out[1], BSDF_REFLECT, total ? rgb_all(0) : mirrored,
+		       finish->reflection.exponent);
 }
 
 /* Where an event sends a ray; the normal is the one that the refraction's cosine was taken with. */

@@ -212,12 +212,17 @@ static void check_layer_events(void)
 		BsdfEvent whole[BSDF_MAX_EVENTS], own[2];
 		int count = bsdf_events(&bsdf, TRANSPORT_FLUX, whole);
 		Refraction at = refraction_of(vec3_dot(bsdf.from, layer.normal), ior);
-		CHECK(bsdf_layer_events(&finish, &layer.color, &at, own) == count);
-		for (int k = 0; k < count; k++) {
+		bsdf_layer_events(&finish, &layer.color, &at, own);
+		int same = 0;
+		for (int k = 0; k < 2; k++) {
+			if (rgb_is_black(own[k].weight))
+				continue;
 			own[k].to = bsdf_layer_direction(&own[k], &at, vec3_neg(bsdf.from),
 							 layer.normal);
-			CHECK(events_agree(&own[k], &whole[k]));
+			CHECK(same < count && events_agree(&own[k], &whole[same]));
+			same++;
 		}
+		CHECK(same == count);
 		CHECK(bsdf_finish_is_delta(&finish) == bsdf_is_delta(&bsdf));
 	}
 }
