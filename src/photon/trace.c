@@ -8,8 +8,9 @@
 #include "photon/path.h"
 
 /* Paths are traced in chunks, and some chunks a thread at a time: each of these has a buffer of its
- * own, and buffers are joined in order and used again, so that they stay in the caches. */
-enum { CHUNK = 2048, ROUND_OF_THREAD = 8 };
+ * own, and buffers are joined in order and used again, so that they stay in the caches. Threads wait
+ * for each other at the end of a round, for half a chunk on average. */
+enum { CHUNK = 1024, ROUND_OF_THREAD = 32 };
 
 typedef struct Chunk {
 	const PhotonAim *aim;
@@ -23,6 +24,8 @@ typedef struct Job {
 	long count, done;
 	PhotonBuffer *buffers;
 	long round; /* how many */
+	Photon *photons;
+	size_t *places; /* of each buffer's photons among these */
 } Job;
 
 static bool stopped(const PhotonTraceOptions *options)
@@ -75,33 +78,48 @@ void photon_statistics_add(PhotonStatistics *sum, const PhotonStatistics *part)
  * large pages stay whole that need not be moved. */
 static const uint64_t ROOM_AT_FIRST = 1 << 22;
 
-static void append_photons(PhotonMap *map, const PhotonBuffer *buffer, size_t *capacity)
+static void copy_photons(void *data, long item, int thread)
 {
-	if (!buffer->count)
-		return;
-	while (map->count + (size_t)buffer->count > *capacity) {
-		*capacity *= 2;
-		map->photons = memory_resize(map->photons, sizeof(Photon) * *capacity);
+	(void)thread;
+	const Job *job = data;
+	const PhotonBuffer *buffer = &job->buffers[item];
+	if (buffer->count)
+		memcpy(job->photons + job->places[item], buffer->photons,
+		       sizeof(Photon) * buffer->count);
+}
+
+/* The buffers' photons, in order, behind those that are there: by all threads, since memory that is
+ * written for the first time costs more than the copy. */
+static void join_buffers(Job *job, long count, size_t *stored, size_t *capacity)
+{
+	size_t sum = *stored;
+	for (long i = 0; i < count; i++) {
+		job->places[i] = sum;
+		sum += job->buffers[i].count;
 	}
-	memcpy(map->photons + map->count, buffer->photons, sizeof(Photon) * buffer->count);
-	map->count += buffer->count;
+	while (sum > *capacity) {
+		*capacity *= 2;
+		job->photons = memory_resize(job->photons, sizeof(Photon) * *capacity);
+	}
+	parallel_for(count, 1, copy_photons, job);
+	*stored = sum;
 }
 
 static PhotonMap *trace_rounds(Job *job, uint64_t paths, PhotonStatistics *statistics)
 {
-	PhotonMap *map = photon_map_create();
-	size_t capacity = (size_t)(paths < ROOM_AT_FIRST ? paths + 1 : ROOM_AT_FIRST);
-	map->photons = memory_alloc_wide(sizeof(Photon) * capacity);
+	size_t capacity = (size_t)(paths < ROOM_AT_FIRST ? paths + 1 : ROOM_AT_FIRST), stored = 0;
+	job->photons = memory_alloc_wide(sizeof(Photon) * capacity);
 	while (job->done < job->count && !stopped(job->options)) {
 		long left = job->count - job->done, some = left < job->round ? left : job->round;
 		parallel_for(some, 1, trace_chunk, job);
-		for (long i = 0; i < some; i++) {
-			append_photons(map, &job->buffers[i], &capacity);
+		join_buffers(job, some, &stored, &capacity);
+		for (long i = 0; i < some; i++)
 			photon_statistics_add(statistics, &job->buffers[i].statistics);
-		}
 		job->done += some;
 	}
-	map->photons = memory_resize(map->photons, sizeof(Photon) * map->count);
+	PhotonMap *map = photon_map_create();
+	map->photons = memory_resize(job->photons, sizeof(Photon) * stored);
+	map->count = (uint32_t)stored;
 	return map;
 }
 
@@ -137,6 +155,7 @@ PhotonMap *photon_trace(const Scene *scene, const PhotonTraceOptions *options,
 	Job job = {.scene = scene, .options = options};
 	job.round = (long)parallel_threads() * ROUND_OF_THREAD;
 	job.buffers = ARENA_ARRAY(arena, PhotonBuffer, job.round);
+	job.places = ARENA_ARRAY(arena, size_t, job.round);
 	cut_chunks(&job, &aims, arena);
 	PhotonMap *map = trace_rounds(&job, aims.paths, &own);
 	note_lights(map, scene, &aims);
