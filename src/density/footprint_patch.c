@@ -7,8 +7,6 @@
 #include <math.h>
 #include <stdbool.h>
 
-#include "density/gather.h"
-
 /* ---- Bézier's triangles ---- */
 
 /* Number of the control point of corners i and j. */
@@ -51,13 +49,14 @@ double footprint_patch_extent(const Patch *patch)
 
 Box3 footprint_patch_box(const Patch *patch, Vec3 normal)
 {
+	static const double thickness = 0.25;
 	Box3 box = box3_empty();
 	for (int i = 0; i < 6; i++) {
 		const float *c = patch->control[i];
 		Vec3 at = vec3(c[0], c[1], c[2]);
 		box = box3_union(box, (Box3){at, at});
 	}
-	double reach = gather_thickness(footprint_patch_extent(patch));
+	double reach = thickness * footprint_patch_extent(patch);
 	Vec3 s = vec3(0.5 * fabs(patch->sweep[0]), 0.5 * fabs(patch->sweep[1]),
 		      0.5 * fabs(patch->sweep[2]));
 	Vec3 more = vec3_add(s, vec3(reach * fabs(normal.x), reach * fabs(normal.y),
@@ -178,6 +177,22 @@ static void split_axis(const double c[6], int axis, Piece parts[4])
 	}
 }
 
+/* True when all control points are beyond a line along a side and so is the window: a sliver that
+ * passes by. */
+static bool passes_by(const Piece *p)
+{
+	for (int i = 0; i < 3; i++) {
+		int next = (i + 1) % 3;
+		double nx = p->y[next] - p->y[i], ny = p->x[i] - p->x[next], off[6];
+		for (int k = 0; k < 6; k++)
+			off[k] = nx * p->x[k] + ny * p->y[k];
+		double reach = 0.5 * (fabs(nx) + fabs(ny));
+		if (least_of(off) >= reach || most_of(off) <= -reach)
+			return true;
+	}
+	return false;
+}
+
 enum { MOST_DEPTH = 6, SWEPT_DEPTH = 3 };
 /* Bends up to this, in sides of the window, are taken for straight. */
 static const double flat = 0.05;
@@ -189,6 +204,8 @@ static double piece_share(const Piece *piece, int depth)
 		return side == INSIDE;
 	if (depth == 0 || bend2_of(piece) < flat * flat)
 		return triangle_share(piece->x, piece->y);
+	if (passes_by(piece))
+		return 0;
 	Piece parts[4];
 	double sum = 0;
 	split_axis(piece->x, 0, parts);
