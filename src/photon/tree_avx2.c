@@ -3,11 +3,9 @@
 
 #ifdef TREE_HAS_AVX2
 
-#pragma GCC target("avx2,bmi,bmi2,popcnt")
-#include <immintrin.h>
 #include <math.h>
 
-#define INLINE static inline __attribute__((always_inline))
+#include "photon/eight_avx2.h"
 
 typedef __m256 Eight;
 
@@ -94,37 +92,29 @@ INLINE unsigned eight_lights(const uint16_t *lights, uint16_t light)
 	return (unsigned)_mm_movemask_epi8(_mm_packs_epi16(same, _mm_setzero_si128()));
 }
 
-/* Lane numbers of the mask's bits, packed to the front. */
-INLINE __m256i packed_lanes(unsigned mask)
-{
-	uint64_t bytes = _pdep_u64(mask, 0x0101010101010101u) * 0xff;
-	return _mm256_cvtepu8_epi32(
-		_mm_cvtsi64_si128((long long)_pext_u64(0x0706050403020100u, bytes)));
-}
-
 INLINE void eight_pack(float *out, Eight a, unsigned mask)
 {
-	_mm256_storeu_ps(out, _mm256_permutevar8x32_ps(a, packed_lanes(mask)));
+	_mm256_storeu_ps(out, _mm256_permutevar8x32_ps(a, eight_order(mask)));
 }
 
 /* first + lane * step of a mask's lanes. */
 INLINE void eight_numbers(uint32_t *out, uint32_t first, uint32_t step, unsigned mask)
 {
-	__m256i times = _mm256_mullo_epi32(packed_lanes(mask), _mm256_set1_epi32((int)step));
+	__m256i times = _mm256_mullo_epi32(eight_order(mask), _mm256_set1_epi32((int)step));
 	_mm256_storeu_si256((__m256i *)out, _mm256_add_epi32(times, _mm256_set1_epi32((int)first)));
 }
 
 INLINE void eight_compact(float *distance2, uint32_t *index, Eight d2, const uint32_t *from,
                           unsigned mask)
 {
-	__m256i lanes = packed_lanes(mask), all = _mm256_loadu_si256((const __m256i *)from);
+	__m256i lanes = eight_order(mask), all = _mm256_loadu_si256((const __m256i *)from);
 	_mm256_storeu_ps(distance2, _mm256_permutevar8x32_ps(d2, lanes));
 	_mm256_storeu_si256((__m256i *)index, _mm256_permutevar8x32_epi32(all, lanes));
 }
 
 INLINE void eight_pairs(Neighbor *out, Eight d2, const uint32_t *from, unsigned mask)
 {
-	__m256i lanes = packed_lanes(mask), all = _mm256_loadu_si256((const __m256i *)from);
+	__m256i lanes = eight_order(mask), all = _mm256_loadu_si256((const __m256i *)from);
 	__m256i a = _mm256_permutevar8x32_epi32(_mm256_castps_si256(d2), lanes);
 	__m256i b = _mm256_permutevar8x32_epi32(all, lanes);
 	__m256i low = _mm256_unpacklo_epi32(a, b), high = _mm256_unpackhi_epi32(a, b);
@@ -140,10 +130,7 @@ INLINE int eight_count(const float *values, int count, float bound)
 		Eight less = _mm256_cmp_ps(_mm256_loadu_ps(values + i), least, _CMP_LT_OQ);
 		lanes = _mm256_sub_epi32(lanes, _mm256_castps_si256(less));
 	}
-	__m128i half = _mm_add_epi32(_mm256_castsi256_si128(lanes),
-				     _mm256_extracti128_si256(lanes, 1));
-	half = _mm_add_epi32(half, _mm_shuffle_epi32(half, _MM_SHUFFLE(1, 0, 3, 2)));
-	return _mm_cvtsi128_si32(half) + _mm_extract_epi32(half, 1);
+	return eight_sum(lanes);
 }
 
 /* The largest finite one. */

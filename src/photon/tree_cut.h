@@ -8,7 +8,7 @@
  *   lanes_least, lanes_most   of all lanes
  *   lanes_below               bit mask of the lanes less than a number
  *   lanes_equal               bit mask of the lanes that are a number
- *   lanes_order               the numbers of a mask's lanes, at the front
+ *   eight_order               the numbers of a mask's lanes, at the front
  *   lanes_moved               one's lanes in the order of the other
  *   lanes_count               how many of an array's numbers are less than one
  *
@@ -95,7 +95,7 @@ INLINE uint32_t sift(const Search *s, int32_t low, int32_t high, int32_t *out, u
 		unsigned under = lanes_below(some, low);
 		unsigned upto = lanes_below(some, high) | lanes_equal(some, high);
 		less += (unsigned)__builtin_popcount(under);
-		lanes_store(out + taken, lanes_moved(some, lanes_order(upto & ~under)));
+		lanes_store(out + taken, lanes_moved(some, eight_order(upto & ~under)));
 		taken += (unsigned)__builtin_popcount(upto & ~under);
 	}
 	for (; i < s->count; i++) {
@@ -205,7 +205,7 @@ typedef struct Parting {
 
 INLINE void part_eight(const TreeRun *run, int columns, const Parting *p)
 {
-	Eight staying = lanes_order(p->stay), going = lanes_order(p->go);
+	Eight staying = eight_order(p->stay), going = eight_order(p->go);
 	for (int k = 0; k < columns; k++) {
 		Eight some = lanes_load(run->here[k] + p->at);
 		lanes_store(run->here[k] + p->left, lanes_moved(some, staying));
@@ -216,7 +216,7 @@ INLINE void part_eight(const TreeRun *run, int columns, const Parting *p)
 /* The same without writing behind the run's end, where others may be at work. */
 INLINE void part_last(const TreeRun *run, int columns, const Parting *p)
 {
-	Eight staying = lanes_order(p->stay), going = lanes_order(p->go);
+	Eight staying = eight_order(p->stay), going = eight_order(p->go);
 	for (int k = 0; k < columns; k++) {
 		Eight some = lanes_load(run->here[k] + p->at);
 		lanes_store(run->here[k] + p->left, lanes_moved(some, staying));

@@ -3,10 +3,7 @@
 
 #ifdef TREE_HAS_AVX2
 
-#pragma GCC target("avx2,bmi,bmi2,popcnt")
-#include <immintrin.h>
-
-#define INLINE static inline __attribute__((always_inline))
+#include "photon/eight_avx2.h"
 
 typedef __m256i Eight;
 
@@ -40,13 +37,6 @@ INLINE unsigned lanes_equal(Eight a, int32_t b)
 	return lanes_mask(_mm256_cmpeq_epi32(a, _mm256_set1_epi32(b)));
 }
 
-INLINE Eight lanes_order(unsigned mask)
-{
-	uint64_t bytes = _pdep_u64(mask, 0x0101010101010101u) * 0xff;
-	uint64_t lanes = _pext_u64(0x0706050403020100u, bytes);
-	return _mm256_cvtepu8_epi32(_mm_cvtsi64_si128((long long)lanes));
-}
-
 INLINE Eight lanes_moved(Eight a, Eight order) { return _mm256_permutevar8x32_epi32(a, order); }
 
 INLINE void lanes_store_some(int32_t *at, Eight a, int count)
@@ -61,10 +51,7 @@ INLINE uint32_t lanes_count(const int32_t *keys, uint32_t count, int32_t bound)
 	uint32_t i = 0;
 	for (; i + TREE_WIDTH <= count; i += TREE_WIDTH)
 		sums = _mm256_sub_epi32(sums, _mm256_cmpgt_epi32(all, lanes_load(keys + i)));
-	__m128i half = _mm256_extracti128_si256(sums, 1);
-	half = _mm_add_epi32(half, _mm256_castsi256_si128(sums));
-	half = _mm_add_epi32(half, _mm_shuffle_epi32(half, _MM_SHUFFLE(1, 0, 3, 2)));
-	uint32_t sum = (uint32_t)_mm_cvtsi128_si32(half) + (uint32_t)_mm_extract_epi32(half, 1);
+	uint32_t sum = (uint32_t)eight_sum(sums);
 	for (; i < count; i++)
 		sum += keys[i] < bound;
 	return sum;

@@ -1,9 +1,9 @@
 /* Extents and cuts for any processor. */
 #include "photon/tree_order.h"
 
-#define INLINE static inline __attribute__((always_inline))
+#include "photon/eight_plain.h"
 
-typedef struct Eight { int32_t at[TREE_WIDTH]; } Eight;
+typedef EightLanes Eight;
 
 INLINE Eight lanes_load(const int32_t *at)
 {
@@ -44,31 +44,8 @@ INLINE int32_t lanes_most(Eight a)
 	return most;
 }
 
-INLINE unsigned lanes_below(Eight a, int32_t b)
-{
-	unsigned mask = 0;
-	for (int i = 0; i < TREE_WIDTH; i++)
-		mask |= (unsigned)(a.at[i] < b) << i;
-	return mask;
-}
-
-INLINE unsigned lanes_equal(Eight a, int32_t b)
-{
-	unsigned mask = 0;
-	for (int i = 0; i < TREE_WIDTH; i++)
-		mask |= (unsigned)(a.at[i] == b) << i;
-	return mask;
-}
-
-INLINE Eight lanes_order(unsigned mask)
-{
-	Eight order = {{0}};
-	for (int i = 0, count = 0; i < TREE_WIDTH; i++) {
-		order.at[count] = i; /* count <= i */
-		count += mask >> i & 1;
-	}
-	return order;
-}
+INLINE unsigned lanes_below(Eight a, int32_t b) { return EIGHT_MASK(a.at[i] < b); }
+INLINE unsigned lanes_equal(Eight a, int32_t b) { return EIGHT_MASK(a.at[i] == b); }
 
 INLINE Eight lanes_moved(Eight a, Eight order)
 {

@@ -3,7 +3,7 @@
 
 #include <math.h>
 
-#define INLINE static inline __attribute__((always_inline))
+#include "photon/eight_plain.h"
 
 typedef struct Eight { float at[TREE_WIDTH]; } Eight;
 
@@ -51,21 +51,8 @@ INLINE Eight eight_box(const TreeBoxes *boxes, const float p[3])
 	return d2;
 }
 
-INLINE unsigned eight_less(Eight a, float bound)
-{
-	unsigned mask = 0;
-	for (int i = 0; i < TREE_WIDTH; i++)
-		mask |= (unsigned)(a.at[i] < bound) << i;
-	return mask;
-}
-
-INLINE unsigned eight_most(Eight a, float bound)
-{
-	unsigned mask = 0;
-	for (int i = 0; i < TREE_WIDTH; i++)
-		mask |= (unsigned)(a.at[i] <= bound) << i;
-	return mask;
-}
+INLINE unsigned eight_less(Eight a, float bound) { return EIGHT_MASK(a.at[i] < bound); }
+INLINE unsigned eight_most(Eight a, float bound) { return EIGHT_MASK(a.at[i] <= bound); }
 
 /* The least of a mask's lanes, the first of several; the mask is not 0. */
 INLINE unsigned eight_least(Eight a, unsigned mask)
@@ -88,47 +75,39 @@ INLINE int eight_find_least(float *values, int count)
 
 INLINE unsigned eight_lights(const uint16_t *lights, uint16_t light)
 {
-	unsigned mask = 0;
-	for (int i = 0; i < TREE_WIDTH; i++)
-		mask |= (unsigned)(lights[i] == light) << i;
-	return mask;
+	return EIGHT_MASK(lights[i] == light);
 }
 
 INLINE void eight_pack(float *out, Eight a, unsigned mask)
 {
-	for (int i = 0, count = 0; i < TREE_WIDTH; i++) {
-		out[count] = a.at[i];
-		count += mask >> i & 1;
-	}
+	EightLanes order = eight_order(mask);
+	for (int i = 0; i < TREE_WIDTH; i++)
+		out[i] = a.at[order.at[i]];
 }
 
 /* first + lane * step of a mask's lanes. */
 INLINE void eight_numbers(uint32_t *out, uint32_t first, uint32_t step, unsigned mask)
 {
-	int count = 0;
-	for (uint32_t i = 0; i < TREE_WIDTH; i++) {
-		out[count] = first + i * step;
-		count += mask >> i & 1;
-	}
+	EightLanes order = eight_order(mask);
+	for (int i = 0; i < TREE_WIDTH; i++)
+		out[i] = first + (uint32_t)order.at[i] * step;
 }
 
-/* The indices may lie where they are packed to, ahead of the place. */
+INLINE void eight_pairs(Neighbor *out, Eight d2, const uint32_t *from, unsigned mask)
+{
+	EightLanes order = eight_order(mask);
+	for (int i = 0; i < TREE_WIDTH; i++)
+		out[i] = (Neighbor){d2.at[order.at[i]], from[order.at[i]]};
+}
+
+/* The indices may lie where they are packed to, ahead of the place: one by one. */
 INLINE void eight_compact(float *distance2, uint32_t *index, Eight d2, const uint32_t *from,
-                          unsigned mask)
+			  unsigned mask)
 {
 	int count = 0;
 	for (int i = 0; i < TREE_WIDTH; i++) {
 		distance2[count] = d2.at[i];
 		index[count] = from[i];
-		count += mask >> i & 1;
-	}
-}
-
-INLINE void eight_pairs(Neighbor *out, Eight d2, const uint32_t *from, unsigned mask)
-{
-	int count = 0;
-	for (int i = 0; i < TREE_WIDTH; i++) {
-		out[count] = (Neighbor){d2.at[i], from[i]};
 		count += mask >> i & 1;
 	}
 }
