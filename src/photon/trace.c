@@ -8,8 +8,8 @@
 #include "photon/path.h"
 
 /* Paths are traced in chunks, and some chunks a thread at a time: each of these has a buffer of its
- * own, and buffers are joined in order and used again, so that they stay in the caches. Threads wait
- * for each other at the end of a round, for half a chunk on average. */
+ * own, and buffers are joined in order and used again, so that they stay in the caches. Threads
+ * wait for each other at the end of a round, for half a chunk on average. */
 enum { CHUNK = 1024, ROUND_OF_THREAD = 32 };
 
 typedef struct Chunk {

@@ -257,7 +257,8 @@ static struct RTCRay embree_ray(Query *query, double enter, double leave)
 /* Embree leaves out what is larger, and aborts on NaN. */
 static const double EMBREE_LARGEST = 1e18;
 
-/* False for a ray from or to nowhere, such as a camera that looks at infinity has: it hits nothing. */
+/* False for a ray from or to nowhere, such as a camera that looks at infinity has: it hits nothing.
+ */
 static bool embree_takes(const struct RTCRay *ray)
 {
 	return fabsf(ray->org_x) + fabsf(ray->org_y) + fabsf(ray->org_z) < EMBREE_LARGEST &&
