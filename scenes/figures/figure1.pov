@@ -7,4 +7,5 @@
 #end
 Close("0", 0, concat("(a) ", Photons, "15 nearest"))
 Close("1", 1, concat("(b) ", Photons, "plain relaxation, 15 nearest"))
-Close("3", 2, concat("(c) ", Photons, "constrained relaxation, 15 nearest"))
+Close("6", 2, concat("(c) ", Photons, "constrained relaxation, the paper's steps"))
+Close("3", 3, concat("(d) ", Photons, "constrained relaxation, 15 nearest"))

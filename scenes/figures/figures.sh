@@ -74,12 +74,12 @@ sheet()
 	echo "$folder/figure$1.png"
 }
 
-# A glass with liquid that was shaken: noise, plain relaxation and ours.
+# A glass with liquid that was shaken: noise, plain relaxation, constrained as the paper has it, and ours.
 figure1()
 {
 	# shellcheck disable=SC2086
-	panels 1 '0 1 3' cognac.pov 2000000 +W1600 +H1200 +SC641 +EC1120 +SR781 +ER1140 $fine
-	sheet 1 1468 402
+	panels 1 '0 1 6 3' cognac.pov 2000000 +W1600 +H1200 +SC641 +EC1120 +SR781 +ER1140 $fine
+	sheet 1 1956 402
 }
 
 # A prism: the methods, what relaxation knows of its photons, and a reference.
