@@ -195,7 +195,7 @@ static bool passes_by(const Piece *p)
 
 enum { MOST_DEPTH = 6, SWEPT_DEPTH = 3 };
 /* Bends up to this, in sides of the window, are taken for straight. */
-static const double flat = 0.05;
+static const double flat = 0.08;
 
 static double piece_share(const Piece *piece, int depth)
 {
@@ -207,11 +207,17 @@ static double piece_share(const Piece *piece, int depth)
 	if (passes_by(piece))
 		return 0;
 	Piece parts[4];
+	bool meets[4];
 	double sum = 0;
 	split_axis(piece->x, 0, parts);
+	for (int i = 0; i < 4; i++)
+		meets[i] = axis_side(parts[i].x) != OUTSIDE;
+	if (!(meets[0] | meets[1] | meets[2] | meets[3]))
+		return 0;
 	split_axis(piece->y, 1, parts);
 	for (int i = 0; i < 4; i++)
-		sum += 0.25 * piece_share(&parts[i], depth - 1);
+		if (meets[i])
+			sum += 0.25 * piece_share(&parts[i], depth - 1);
 	return sum;
 }
 
