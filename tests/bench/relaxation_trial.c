@@ -12,7 +12,7 @@
  * Two waves. The gentle one, its 180 pixels a side for any number of photons and starts anywhere on
  * the light were chosen by the nearest photons alone, before anything was relaxed on it: at their
  * best K their RMSE was to be that of a trial of others, 0.50 with 15,000 photons and 0.36 with
- * 60,000 (it is 0.48 and 0.37), and with 600,000, where that trial had relaxed photons at K = 15
+ * 60,000 (it is 0.47 and 0.37), and with 600,000, where that trial had relaxed photons at K = 15
  * below 0.6 of nearest K = 15 and no lower than 0.8 of nearest at its best, K = 15 at least a third
  * worse than the best (it is). Halton's starts meet the first two with 256 pixels and not the last.
  * The detailed wave (-d) has finer structure than the photons resolve. It starts at Halton's
