@@ -1,7 +1,7 @@
 /*
  * The outline of a region that points fill evenly, from those along its border: the fewest straight
- * stretches that the points' chance allows. Chance makes the way along the outermost points jagged by
- * half a point's distance; a stretch along many knows the border to a small part of it, and
+ * stretches that the points' chance allows. Chance makes the way along the outermost points jagged
+ * by half a point's distance; a stretch along many knows the border to a small part of it, and
  * corners are where two stretches meet.
  */
 #ifndef DENSITY_FOOTPRINT_OUTLINE_H
