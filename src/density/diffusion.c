@@ -18,7 +18,7 @@
  * What differs from the paper: the gradient is relative, so that one diffusivity serves bright and
  * dim caustics alike and scenes of any size; what the photons' noise adds to S, 4 / k for k
  * photons, is taken off before, so that kernels stay round where light is even; the kernel ends at
- * the disc.
+ * the disc, and is no narrower than a pixel.
  */
 #include <math.h>
 
@@ -113,19 +113,19 @@ static Tensor structure_tensor(const Diffusion *d, const Frame *frame, const Nei
 	return (Tensor){scale * s.uu, scale * s.uv, scale * s.vv};
 }
 
-static double diffusion_of(const Diffusion *d, double eigenvalue)
+static double diffusion_of(const Diffusion *d, double eigenvalue, double least)
 {
 	double edge = fmax(0, eigenvalue - d->noise);
-	return fmax(least_eigenvalue, 1 / (1 + edge / d->contrast2));
+	return fmax(least, 1 / (1 + edge / d->contrast2));
 }
 
 /* The inverse of the diffusion tensor, and the square root of its determinant. */
-static Tensor inverse_diffusion(const Diffusion *d, Tensor s, double *root)
+static Tensor inverse_diffusion(const Diffusion *d, Tensor s, double least, double *root)
 {
 	double mean = 0.5 * (s.uu + s.vv), difference = 0.5 * (s.uu - s.vv);
 	double spread = sqrt(difference * difference + s.uv * s.uv);
-	double across = 1 / diffusion_of(d, mean + spread),
-	       along = 1 / diffusion_of(d, mean - spread);
+	double across = 1 / diffusion_of(d, mean + spread, least),
+	       along = 1 / diffusion_of(d, mean - spread, least);
 	/* S = mean I + spread R, with R of eigenvalues 1 and -1: so is any function of S. */
 	double middle = 0.5 * (across + along),
 	       half = spread > 0 ? 0.5 * (across - along) / spread : 0;
@@ -139,13 +139,18 @@ static void diffusion_gather(const void *method, const GatherTask *task, GatherR
 	Neighbor found[GATHER_ROOM(d->count)];
 	GatherSum sum = {.task = task};
 	Frame frame = {.origin = task->point->position};
-	double radius2, root = 1;
+	double radius2, root = 1, pixel2 = gather_least_radius2(task->point);
 	int count = gather_nearest(task, d->count, d->reach, found, &radius2);
+	if (radius2 < pixel2) {
+		gather_pixel(task, result);
+		return;
+	}
 	vec3_frame(task->point->normal, &frame.u, &frame.v);
 	if (!(radius2 > 0))
 		count = 0;
+	double least = radius2 > 0 ? fmax(least_eigenvalue, pixel2 / radius2) : 1;
 	Tensor inverse = inverse_diffusion(d, structure_tensor(d, &frame, found, count, radius2),
-					   &root);
+					   least, &root);
 	for (int i = 0; i < count; i++) {
 		const Photon *photon = &task->map->photons[found[i].index];
 		Vec3 offset = vec3_sub(position_of(photon), frame.origin);

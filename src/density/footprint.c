@@ -119,9 +119,7 @@ static void *footprint_create(const EstimatorSetup *setup, Diag *diag)
 typedef struct Gathering {
 	GatherSum sum;
 	const FootprintMap *map;
-	PatchWindow window;
-	double density; /* 1 over the window's area */
-	double width2;  /* of the window, mean square */
+	Window window;
 	double radius;
 } Gathering;
 
@@ -134,10 +132,10 @@ static void add_patch(Gathering *g, uint32_t number)
 		return;
 	const GatherTask *task = g->sum.task;
 	const Photon *photon = &task->map->photons[patch->photon];
-	double radius = footprint_patch_extent(patch) + sqrt(g->width2);
+	double radius = footprint_patch_extent(patch) + sqrt(g->window.area);
 	if (!gather_accepts(task->point, photon, radius))
 		return;
-	gather_add_flux(&g->sum, photon, patch->flux, share * g->density);
+	gather_add_flux(&g->sum, photon, patch->flux, share / g->window.area);
 	g->radius += radius;
 }
 
@@ -155,7 +153,7 @@ static void add_disc(Gathering *g, uint32_t number)
 	double x = g->window.at[0] - disc->at[0], y = g->window.at[1] - disc->at[1],
 	       z = g->window.at[2] - disc->at[2];
 	/* A pixel's variance along an axis is a twelfth of its square, the kernel's a sixth. */
-	double radius2 = (double)disc->radius * disc->radius + g->width2 / 2;
+	double radius2 = (double)disc->radius * disc->radius + g->window.area / 2;
 	double value = kernel_value(KERNEL_EPANECHNIKOV, (x * x + y * y + z * z) / radius2);
 	if (!(value > 0) || !gather_accepts(task->point, photon, sqrt(radius2)))
 		return;
@@ -169,47 +167,10 @@ static void add_discs(void *data, const uint32_t *numbers, int count)
 		add_disc(data, numbers[i]);
 }
 
-/* The sides of what a pixel sees of the surface: a square across the view, seen along it. */
-static void pixel_sides(const GatherPoint *point, double width, Vec3 sides[2])
+static Gathering begin(const FootprintMap *map, const GatherTask *task)
 {
-	static const double least_cosine = 0.05;
-	double cosine = vec3_dot(point->view, point->normal);
-	Vec3 along = vec3_scale(point->view, vec3_dot(point->across, point->view));
-	Vec3 across = vec3_sub(point->across, along);
-	double length = vec3_length(across);
-	if (!(length > 0) || fabs(cosine) < least_cosine) {
-		vec3_frame(point->normal, &sides[0], &sides[1]);
-		cosine = 1;
-	} else {
-		sides[0] = vec3_scale(across, 1 / length);
-		sides[1] = vec3_cross(point->view, sides[0]);
-	}
-	for (int i = 0; i < 2; i++) {
-		double off = vec3_dot(sides[i], point->normal) / cosine;
-		sides[i] = vec3_scale(vec3_mad(sides[i], -off, point->view), width);
-	}
-}
-
-static void to_doubles(Vec3 v, double scale, double out[3])
-{
-	out[0] = scale * v.x;
-	out[1] = scale * v.y;
-	out[2] = scale * v.z;
-}
-
-static Gathering begin(const FootprintMap *map, const GatherTask *task, Vec3 sides[2])
-{
-	const GatherPoint *point = task->point;
-	Gathering g = {.sum = {.task = task}, .map = map};
-	pixel_sides(point, fmax(point->footprint, map->least_width), sides);
-	Vec3 normal = vec3_cross(sides[0], sides[1]);
-	double area2 = vec3_dot(normal, normal);
-	to_doubles(point->position, 1, g.window.at);
-	to_doubles(vec3_cross(sides[1], normal), 1 / area2, g.window.x);
-	to_doubles(vec3_cross(normal, sides[0]), 1 / area2, g.window.y);
-	g.density = 1 / sqrt(area2);
-	g.width2 = sqrt(area2);
-	return g;
+	return (Gathering){.sum = {.task = task}, .map = map,
+			   .window = window_around(task->point, map->least_width)};
 }
 
 static Box3 box_around(Vec3 at, Vec3 reach)
@@ -220,12 +181,10 @@ static Box3 box_around(Vec3 at, Vec3 reach)
 static void footprint_gather(const void *method, const GatherTask *task, GatherResult *result)
 {
 	const FootprintMap *map = method;
-	Vec3 at = task->point->position, s[2];
-	Gathering g = begin(map, task, s);
-	Vec3 reach = vec3(0.5 * (fabs(s[0].x) + fabs(s[1].x)), 0.5 * (fabs(s[0].y) + fabs(s[1].y)),
-			  0.5 * (fabs(s[0].z) + fabs(s[1].z)));
-	footprint_tree_visit(&map->patch_tree, box_around(at, reach), add_patches, &g);
-	reach = vec3_all(sqrt(g.width2 / 2));
+	Vec3 at = task->point->position;
+	Gathering g = begin(map, task);
+	footprint_tree_visit(&map->patch_tree, box_around(at, g.window.reach), add_patches, &g);
+	Vec3 reach = vec3_all(sqrt(g.window.area / 2));
 	footprint_tree_visit(&map->disc_tree, box_around(at, reach), add_discs, &g);
 	gather_finish(&g.sum, g.sum.photons > 0 ? g.radius / g.sum.photons : 0, result);
 }

@@ -221,14 +221,6 @@ static double piece_share(const Piece *piece, int depth)
 	return sum;
 }
 
-static void into_window(const float p[3], const PatchWindow *w, const double from[3], double *x,
-                        double *y)
-{
-	double d[3] = {p[0] - from[0], p[1] - from[1], p[2] - from[2]};
-	*x = d[0] * w->x[0] + d[1] * w->x[1] + d[2] * w->x[2];
-	*y = d[0] * w->y[0] + d[1] * w->y[1] + d[2] * w->y[2];
-}
-
 /* Narrows from..to to the ts for which lo..hi, moved by t times way, meets the square. */
 static void meet_axis(double lo, double hi, double way, double *from, double *to)
 {
@@ -322,13 +314,13 @@ static double swept_share(const Piece *piece, double x, double y)
 	return large_swept_share(&turned, sqrt(length * length + 1), SWEPT_DEPTH);
 }
 
-double footprint_patch_share(const Patch *patch, const PatchWindow *window)
+double footprint_patch_share(const Patch *patch, const Window *window)
 {
 	static const double origin[3] = {0, 0, 0};
 	Piece piece;
 	double x, y;
 	for (int i = 0; i < 6; i++)
-		into_window(patch->control[i], window, window->at, &piece.x[i], &piece.y[i]);
-	into_window(patch->sweep, window, origin, &x, &y);
+		window_measure(window, window->at, patch->control[i], &piece.x[i], &piece.y[i]);
+	window_measure(window, origin, patch->sweep, &x, &y);
 	return x == 0 && y == 0 ? piece_share(&piece, MOST_DEPTH) : swept_share(&piece, x, y);
 }

@@ -9,6 +9,7 @@
 
 #include "base/color.h"
 #include "base/vec.h"
+#include "density/window.h"
 
 /* Control points 0 to 2 are the corners, 3 to 5 those of the edges 0 1, 1 2, 2 0. */
 typedef struct Patch {
@@ -26,11 +27,7 @@ Box3 footprint_patch_box(const Patch *patch, Vec3 normal);
 /* How far the longest side reaches. */
 double footprint_patch_extent(const Patch *patch);
 
-/* Where light is counted: a parallelogram around the origin; x and y are dual to its sides: a
- * point is in it when both products are within a half. */
-typedef struct PatchWindow { double at[3], x[3], y[3]; } PatchWindow;
-
 /* The share of a patch's light that falls into the window. */
-double footprint_patch_share(const Patch *patch, const PatchWindow *window);
+double footprint_patch_share(const Patch *patch, const Window *window);
 
 #endif

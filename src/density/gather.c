@@ -3,6 +3,8 @@
 #include <math.h>
 #include <stdlib.h>
 
+#include "density/window.h"
+
 static const double least_cosine = 0.5;
 
 double gather_thickness(double radius)
@@ -106,6 +108,40 @@ int gather_nearest(const GatherTask *task, int wanted, double reach, Neighbor *f
 			return kept;
 		query.count *= 2;
 	}
+}
+
+double gather_least_radius2(const GatherPoint *point)
+{
+	return point->footprint > 0 ? 0.5 * window_around(point, 0).area : 0;
+}
+
+typedef struct Pixel {
+	GatherSum sum;
+	Window window;
+	double radius;
+} Pixel;
+
+static void add_inside(void *data, const Neighbor *found, int count)
+{
+	Pixel *pixel = data;
+	for (int i = 0; i < count; i++) {
+		const Photon *photon = &pixel->sum.task->map->photons[found[i].index];
+		double x, y;
+		window_measure(&pixel->window, pixel->window.at, photon->position, &x, &y);
+		bool inside = x >= -0.5 && x < 0.5 && y >= -0.5 && y < 0.5;
+		if (inside && gather_accepts(pixel->sum.task->point, photon, pixel->radius))
+			gather_add(&pixel->sum, photon, 1 / pixel->window.area);
+	}
+}
+
+void gather_pixel(const GatherTask *task, GatherResult *result)
+{
+	Pixel pixel = {.sum = {.task = task}, .window = window_around(task->point, 0)};
+	Vec3 p = task->point->position;
+	float center[3] = {(float)p.x, (float)p.y, (float)p.z};
+	pixel.radius = window_reach(&pixel.window);
+	photon_tree_within(task->map->tree, center, (float)pixel.radius, add_inside, &pixel);
+	gather_finish(&pixel.sum, pixel.radius, result);
 }
 
 double gather_reach(const PhotonMap *map, int count)

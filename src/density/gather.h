@@ -44,6 +44,15 @@ enum { GATHER_TRIES = 3 };
 int gather_nearest(const GatherTask *task, int wanted, double reach, Neighbor *found,
                    double *radius2);
 
+/*
+ * No kernel is narrower than a pixel, or what lies between the pixels' middles would be missed. The
+ * square of the radius from which on discs are used: their paraboloid's variance, r^2 / 6, is then
+ * that of what the pixel sees, a twelfth of its area. 0 when the pixel is not known.
+ */
+double gather_least_radius2(const GatherPoint *point);
+/* The pixel itself as the kernel: each photon counts in one pixel, there once. */
+void gather_pixel(const GatherTask *task, GatherResult *result);
+
 /* How far to look at most for so many photons: eight times the radius that holds them at the map's
  * median density; INFINITY when that is unknown. */
 double gather_reach(const PhotonMap *map, int count);

@@ -8,6 +8,9 @@
  * unbiased; Jensen counts all k). Photons of other surfaces are refused (gather.h) and replaced by
  * farther ones.
  *
+ * Where the k nearest lie within a pixel, all photons in what the pixel sees count instead
+ * (gather_pixel): picture by picture, k means nothing finer than that.
+ *
  * What it does not do: correct for boundaries. Near an edge of the lit region, or of the surface,
  * the disc reaches where no photons can be and the estimate is low, as in the papers.
  */
@@ -78,6 +81,10 @@ static void gather_count(const Nearest *n, const GatherTask *task, GatherResult 
 	GatherSum sum = {.task = task};
 	double radius2;
 	int count = gather_nearest(task, n->count, n->radius, found, &radius2);
+	if (radius2 < gather_least_radius2(task->point)) {
+		gather_pixel(task, result);
+		return;
+	}
 	if (!(radius2 > 0)) /* photons in one point: there is no area to have a density */
 		count = 0;
 	for (int i = 0; i < count; i++)

@@ -240,6 +240,35 @@ static void test_few_photons(void)
 	photon_map_destroy(map);
 }
 
+/* Seen slantwise by pixels wider than discs of k photons are, light is counted pixel by pixel: the
+ * sum over all pixels is the photons' flux, each once. */
+static void test_pixels(void)
+{
+	enum { ACROSS = 10, DOWN = 5 };
+	PhotonMap *map = uniform_map(20000);
+	for (int k = 0; k < 2; k++) {
+		const Estimator method = {.kind = k ? ESTIMATOR_DIFFUSION : ESTIMATOR_NEAREST,
+					  .count = 15};
+		DensityEstimator *estimator = make(&method, map, 0);
+		double width = 1.0 / ACROSS, length = 1.0 / DOWN, sum = 0, photons = 0;
+		for (int i = 0; i < ACROSS * DOWN; i++) {
+			GatherPoint point = {.position = vec3((i % ACROSS + 0.5) * width, 0,
+							      (i / ACROSS + 0.5) * length),
+					     .normal = up, .footprint = width,
+					     .view = vec3(0, -width / length, -sqrt(0.75)),
+					     .across = vec3(2, 0, 0)};
+			GatherResult result;
+			estimator_gather(estimator, &point, white, NULL, &result);
+			sum += width * length * result.radiance.r;
+			photons += result.photons;
+		}
+		CHECK_NEAR(sum, 1, 1e-4);
+		CHECK_NEAR(photons, 20000, 0.5);
+		estimator_destroy(estimator);
+	}
+	photon_map_destroy(map);
+}
+
 /* The result holds how many photons there were, their colours, and nothing of their order. */
 static void test_order(void)
 {
@@ -348,6 +377,7 @@ int main(void)
 	test_diffusion_edge();
 	test_other_surfaces();
 	test_few_photons();
+	test_pixels();
 	test_order();
 	test_layers();
 	test_expansion();

@@ -77,9 +77,9 @@ static void test_triangulation(void)
 /* ---- patches ---- */
 
 /* A window of the plane y = 0. */
-static PatchWindow window_at(double x, double z, double side)
+static Window window_at(double x, double z, double side)
 {
-	return (PatchWindow){{x, 0, z}, {1 / side, 0, 0}, {0, 0, 1 / side}};
+	return (Window){{x, 0, z}, {1 / side, 0, 0}, {0, 0, 1 / side}, side * side, vec3_all(side / 2)};
 }
 
 static Patch make_patch(uint64_t seed, double bend)
@@ -134,7 +134,7 @@ static void test_share(void)
 {
 	for (uint64_t seed = 0; seed < 12; seed++) {
 		Patch patch = make_patch(seed, seed % 3 * 0.4);
-		PatchWindow window = window_at(0.45, 0.5, 0.3);
+		Window window = window_at(0.45, 0.5, 0.3);
 		CHECK_NEAR(footprint_patch_share(&patch, &window),
 			   counted_share(&patch, 0.45, 0.5, 0.3), 0.007);
 	}
@@ -150,7 +150,7 @@ static void test_all(double sweep, double tolerance)
 		double sum = 0;
 		for (double x = -0.975; x < 2; x += 0.05) {
 			for (double z = -0.975; z < 2; z += 0.05) {
-				PatchWindow window = window_at(x, z, 0.05);
+				Window window = window_at(x, z, 0.05);
 				sum += footprint_patch_share(&patch, &window);
 			}
 		}
@@ -165,7 +165,7 @@ static void test_swept(void)
 		Patch patch = make_patch(seed, 0.2);
 		patch.sweep[0] = 0.3f;
 		patch.sweep[2] = -0.2f;
-		PatchWindow window = window_at(0.45, 0.5, 0.1);
+		Window window = window_at(0.45, 0.5, 0.1);
 		CHECK_NEAR(footprint_patch_share(&patch, &window),
 			   counted_share(&patch, 0.45, 0.5, 0.1), 0.01);
 	}
