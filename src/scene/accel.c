@@ -445,22 +445,21 @@ static int plain_kind(const Shape *shape)
 					      : OTHERS;
 }
 
-/* To the front, kind by kind, in their order. */
+/* To the front, kind by kind; each kind, and the others, stay in their order. */
 static void put_plain_ones_first(Accel *accel)
 {
-	int ends[PLAIN_KINDS], end = 0;
-	for (int kind = 0; kind < PLAIN_KINDS; kind++) {
-		for (int i = end; i < accel->direct_count; i++) {
-			const Shape *shape = accel->direct[i];
-			if (plain_kind(shape) != kind)
-				continue;
-			memmove(&accel->direct[end + 1], &accel->direct[end],
-				sizeof *accel->direct * (size_t)(i - end));
-			accel->direct[end++] = shape;
-		}
+	const Shape **sorted =
+		memory_alloc(sizeof *sorted * ((size_t)accel->direct_count + 1));
+	int ends[PLAIN_KINDS + 1], end = 0;
+	for (int kind = 0; kind <= PLAIN_KINDS; kind++) {
+		for (int i = 0; i < accel->direct_count; i++)
+			if (plain_kind(accel->direct[i]) == kind)
+				sorted[end++] = accel->direct[i];
 		ends[kind] = end;
 	}
-	accel->plain = (PlainShapes){accel->direct, ends[SPHERES], ends[PLANES], ends[OTHERS]};
+	free(accel->direct);
+	accel->direct = sorted;
+	accel->plain = (PlainShapes){sorted, ends[SPHERES], ends[PLANES], ends[OTHERS]};
 }
 
 Accel *accel_create(const Shape *const *shapes, int count)

@@ -123,6 +123,34 @@ static void check_containing(Arena *arena)
 	accel_destroy(accel);
 }
 
+/* Many shapes without bounds, mixed: plain spheres come first, then plain planes, then the rest,
+ * each in the order of the scene. */
+static void check_order(Arena *arena)
+{
+	enum { MIXED = 3000 };
+	static const Shape *shapes[MIXED], *out[MIXED];
+	const char *error = NULL;
+	Transform moved = transform_translate(vec3(0, 1, 0));
+	Accel *accel;
+	for (int i = 0; i < MIXED; i++) {
+		const ShapeClass *class = i % 3 == 1 ? &sphere_class : &plane_class;
+		Shape *shape = ARENA_NEW(arena, Shape);
+		*shape = (Shape){.class = class, .transform = i % 3 == 0 ? &moved : NULL};
+		shape->data = i % 3 == 1 ? (const void *)sphere_create(arena, vec3(0, 0, 0), 1e20)
+					 : plane_create(arena, vec3(0, 1, 0), 1, &error);
+		shape_finish(shape);
+		shapes[i] = shape;
+	}
+	accel = accel_create(shapes, MIXED);
+	CHECK(accel_containing(accel, vec3(0, 0, 0), out, MIXED) == MIXED);
+	for (int i = 0; i < MIXED / 3; i++) {
+		CHECK(out[i] == shapes[3 * i + 1]);
+		CHECK(out[MIXED / 3 + i] == shapes[3 * i + 2]);
+		CHECK(out[MIXED / 3 * 2 + i] == shapes[3 * i]);
+	}
+	accel_destroy(accel);
+}
+
 /* Rays from and to nowhere hit nothing. */
 static void check_nowhere(const Shape *const *shapes, int count)
 {
@@ -160,6 +188,7 @@ int main(void)
 	shapes[3] = quad_mesh(arena);
 	check_rays(shapes, 5, 20);
 	check_containing(arena);
+	check_order(arena);
 	arena_destroy(arena);
 	return CHECK_RESULT();
 }
