@@ -110,7 +110,12 @@ static bool visit_list(const int *items, int count, BoxTreeVisit *visit, void *d
 	return false;
 }
 
-bool box_tree_walk_ray(const BoxTree *tree, const RaySlabs *ray, BoxTreeVisit *visit, void *data)
+typedef bool TouchBox(const void *query, const Box3 *box);
+
+/* What of the tree `touches` says yes to, from the root. Inlined, so that asking a box is no call. */
+static inline __attribute__((always_inline)) bool walk(const BoxTree *tree, TouchBox *touches,
+						       const void *query, BoxTreeVisit *visit,
+						       void *data)
 {
 	int stack[STACK_DEPTH], depth = 0;
 	if (visit_list(tree->unbounded, tree->unbounded_count, visit, data))
@@ -120,7 +125,7 @@ bool box_tree_walk_ray(const BoxTree *tree, const RaySlabs *ray, BoxTreeVisit *v
 	while (depth) {
 		int at = stack[--depth];
 		const TreeNode *node = &tree->nodes[at];
-		if (!ray_slabs_hit(ray, &node->box))
+		if (!touches(query, &node->box))
 			continue;
 		if (node->count) {
 			if (visit_list(tree->items + node->first, node->count, visit, data))
@@ -133,25 +138,22 @@ bool box_tree_walk_ray(const BoxTree *tree, const RaySlabs *ray, BoxTreeVisit *v
 	return false;
 }
 
+static inline bool ray_touches(const void *ray, const Box3 *box)
+{
+	return ray_slabs_hit(ray, box);
+}
+
+static inline bool point_touches(const void *point, const Box3 *box)
+{
+	return box3_contains(*box, *(const Vec3 *)point);
+}
+
+bool box_tree_walk_ray(const BoxTree *tree, const RaySlabs *ray, BoxTreeVisit *visit, void *data)
+{
+	return walk(tree, ray_touches, ray, visit, data);
+}
+
 bool box_tree_walk_point(const BoxTree *tree, Vec3 p, BoxTreeVisit *visit, void *data)
 {
-	int stack[STACK_DEPTH], depth = 0;
-	if (visit_list(tree->unbounded, tree->unbounded_count, visit, data))
-		return true;
-	if (tree->node_count)
-		stack[depth++] = 0;
-	while (depth) {
-		int at = stack[--depth];
-		const TreeNode *node = &tree->nodes[at];
-		if (!box3_contains(node->box, p))
-			continue;
-		if (node->count) {
-			if (visit_list(tree->items + node->first, node->count, visit, data))
-				return true;
-		} else {
-			stack[depth++] = node->right;
-			stack[depth++] = at + 1;
-		}
-	}
-	return false;
+	return walk(tree, point_touches, &p, visit, data);
 }
