@@ -1,9 +1,10 @@
 /*
- * The function's values along the ray, inside the container. On an interval of length l whose ends
- * have values a and b of the same sign the surface can only lie where |a| + |b| <= max_gradient l;
- * the other intervals are halved until they are shorter than the accuracy, and then a change of
- * sign is a crossing. With a max_gradient that is too small some crossings get lost, as the
- * language defines. The crossing itself is refined within its last interval.
+ * The function's values along the ray, inside the container. From a place where the value is a the
+ * surface is at least |a| / max_gradient away. So of an interval between two samples a piece at
+ * either end is ruled out, all of it when both have the same sign and the pieces meet; what is left
+ * is looked at in its middle, until it is shorter than the accuracy, and then a change of sign is a
+ * crossing. With a max_gradient that is too small some crossings get lost, as the language defines.
+ * The crossing itself is refined within its last interval.
  */
 #include "geom/isosurface.h"
 
@@ -87,6 +88,24 @@ static double refine(const Isosurface *isosurface, const Ray *ray, Sample a, Sam
 	return b.t;
 }
 
+/* What two samples leave open: the surface is farther from each than its value over the steepest
+ * gradient. Not `from` < `to` when that leaves nothing. */
+typedef struct Gap {
+	double from, to;
+} Gap;
+
+static Gap gap_between(Sample from, Sample to, double gradient)
+{
+	return (Gap){from.t + fabs(from.value) / gradient, to.t - fabs(to.value) / gradient};
+}
+
+/* Where to look next. A gap that is closed though the signs differ shows that the gradient was too
+ * small. */
+static double next_place(const Gap *gap, Sample from, Sample to)
+{
+	return gap->from < gap->to ? 0.5 * (gap->from + gap->to) : 0.5 * (from.t + to.t);
+}
+
 /* The first change of sign between two samples, as far as the gradient promises to find it. */
 static bool first_root(const Isosurface *isosurface, const Ray *ray, Sample from, Sample to,
 		       double *t)
@@ -98,21 +117,18 @@ static bool first_root(const Isosurface *isosurface, const Ray *ray, Sample from
 	stack[depth++] = to;
 	while (depth) {
 		Sample end = stack[depth - 1];
-		double length = end.t - from.t;
+		Gap gap = gap_between(from, end, gradient);
 		bool differ = (from.value > 0) != (end.value > 0);
-		if (!differ && fabs(from.value) + fabs(end.value) > gradient * length) {
-			from = end;
-			depth--;
-		} else if (length < shortest || depth == STACK_DEPTH) {
-			if (differ) {
-				*t = refine(isosurface, ray, from, end);
-				return true;
-			}
-			from = end;
-			depth--;
+		double open = gap.to - gap.from, length = differ ? end.t - from.t : open;
+		if (length >= shortest && depth < STACK_DEPTH) {
+			double place = next_place(&gap, from, end);
+			stack[depth++] = (Sample){place, value_along(isosurface, ray, place)};
+		} else if (differ) {
+			*t = refine(isosurface, ray, from, end);
+			return true;
 		} else {
-			double middle = from.t + 0.5 * length;
-			stack[depth++] = (Sample){middle, value_along(isosurface, ray, middle)};
+			from = end;
+			depth--;
 		}
 	}
 	return false;

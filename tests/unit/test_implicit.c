@@ -207,6 +207,39 @@ static void test_isosurface(Arena *arena)
 	CHECK(!shape_nearest(&iso, &ray, &hit));
 }
 
+typedef struct CountedBall {
+	double radius;
+	int calls;
+} CountedBall;
+
+static double counted_value(const void *data, Vec3 p)
+{
+	CountedBall *ball = *(CountedBall *const *)data;
+	ball->calls++;
+	return ball_value(&ball->radius, p);
+}
+
+/* What the gradient rules out is not looked at: halving alone takes 41 looks for both
+ * sides of the ball. */
+static void test_isosurface_looks(Arena *arena)
+{
+	CountedBall ball = {.radius = 0.8}, *counted = &ball;
+	IsosurfaceDesc desc = isosurface_default();
+	desc.value = counted_value;
+	desc.function = &counted;
+	desc.max_trace = 2;
+	Shape iso = test_shape(&isosurface_class, isosurface_create(arena, &desc));
+	Ray ray = {{0.1, 0.3, -5}, {0, 0, 1}, 0, INFINITY};
+	HitList list;
+	hit_list_init(&list);
+	shape_intersect(&iso, &ray, &list);
+	CHECK(list.count == 2);
+	CHECK_NEAR(list.hits[0].t, 5 - sqrt(0.64 - 0.1), 1e-9);
+	CHECK_NEAR(list.hits[1].t, 5 + sqrt(0.64 - 0.1), 1e-9);
+	CHECK(ball.calls <= 32);
+	hit_list_free(&list);
+}
+
 int main(void)
 {
 	Arena *arena = arena_create();
@@ -217,6 +250,7 @@ int main(void)
 	test_blob(arena);
 	test_long_blob(arena);
 	test_isosurface(arena);
+	test_isosurface_looks(arena);
 	arena_destroy(arena);
 	return CHECK_RESULT();
 }
