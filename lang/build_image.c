@@ -6,7 +6,7 @@
 #include <string.h>
 #include <strings.h>
 
-#include "image/image.h"
+#include "image/read.h"
 #include "lang/build_pattern.h"
 #include "lang/files.h"
 

@@ -2,7 +2,7 @@
 #include <math.h>
 
 #include "geom/height_field.h"
-#include "image/image.h"
+#include "image/read.h"
 #include "lang/build_object.h"
 #include "lang/files.h"
 #include "surface/function_natives.h"

@@ -8,6 +8,7 @@
 #include "config.h"
 #include "image/compare.h"
 #include "image/layer.h"
+#include "image/read.h"
 #include "image/write.h"
 
 typedef struct Task {

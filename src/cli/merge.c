@@ -12,9 +12,8 @@
 #include "base/arena.h"
 #include "config.h"
 #include "image/exr.h"
+#include "image/read.h"
 #include "image/write.h"
-
-enum { CHANNELS_RGB = 3, CHANNELS_RGBA = 4 };
 
 /* One file. An OpenEXR file keeps all its layers; any other is an Image. */
 typedef struct Part {
@@ -195,17 +194,17 @@ static Image four_channels(const Image *image)
 	size_t count = (size_t)image->width * image->height;
 	Image out = {.width = image->width,
 		     .height = image->height,
-		     .channels = CHANNELS_RGBA,
+		     .channels = IMAGE_RGBA,
 		     .linear = image->linear,
 		     .bits = image->bits,
 		     .gamma = image->gamma};
-	out.pixels = memory_alloc(count * CHANNELS_RGBA * sizeof *out.pixels);
-	bool gray = image->channels < CHANNELS_RGB, alpha = image->channels % 2 == 0;
+	out.pixels = memory_alloc(count * IMAGE_RGBA * sizeof *out.pixels);
+	bool gray = image->channels < IMAGE_RGB, alpha = image->channels % 2 == 0;
 	for (size_t i = 0; i < count; i++) {
 		const float *from = image->pixels + i * image->channels;
-		for (int c = 0; c < CHANNELS_RGB; c++)
-			out.pixels[CHANNELS_RGBA * i + c] = from[gray ? 0 : c];
-		out.pixels[CHANNELS_RGBA * i + CHANNELS_RGB] = alpha ? from[image->channels - 1]
+		for (int c = 0; c < IMAGE_RGB; c++)
+			out.pixels[IMAGE_RGBA * i + c] = from[gray ? 0 : c];
+		out.pixels[IMAGE_RGBA * i + IMAGE_RGB] = alpha ? from[image->channels - 1]
 								     : 1;
 	}
 	return out;
@@ -216,7 +215,7 @@ static bool write_png(const Merge *merge, const char *path)
 	const Image *image = merge->whole.image;
 	ImageEncoding encoding = {
 		.format = IMAGE_PNG, .bits = image->bits, .alpha = image->channels % 2 == 0,
-		.gray = image->channels < CHANNELS_RGB, .gamma = image->gamma,
+		.gray = image->channels < IMAGE_RGB, .gamma = image->gamma,
 	};
 	Image out = four_channels(image);
 	image_linearize(&out, 1);

@@ -1,39 +1,11 @@
 #include "image/image.h"
 
-#include <errno.h>
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
-#include "base/arena.h"
-#include "image/decode.h"
-#include "image/write.h"
-
 #define MAXIMUM_PIXELS (1 << 28)
-
-typedef struct Format {
-	const char *magic;
-	int length, offset;
-	Image *(*decode)(ImageBytes *bytes, Diag *diag);
-} Format;
-
-static const Format formats[] = {
-	{"\x89PNG\r\n\x1a\n", 8, 0, image_decode_png},
-	{"\xff\xd8\xff", 3, 0, image_decode_jpeg},
-	{"II*\0", 4, 0, image_decode_tiff},
-	{"MM\0*", 4, 0, image_decode_tiff},
-	{"GIF8", 4, 0, image_decode_gif},
-	{"BM", 2, 0, image_decode_bmp},
-	{"\x76\x2f\x31\x01", 4, 0, image_decode_exr},
-	{"#?", 2, 0, image_decode_hdr},
-	{"P1", 2, 0, image_decode_pnm},
-	{"P2", 2, 0, image_decode_pnm},
-	{"P3", 2, 0, image_decode_pnm},
-	{"P4", 2, 0, image_decode_pnm},
-	{"P5", 2, 0, image_decode_pnm},
-	{"P6", 2, 0, image_decode_pnm},
-};
 
 Image *image_create(int width, int height, int channels, const char *path, Diag *diag)
 {
@@ -108,85 +80,6 @@ void image_expand_palette(Image *image)
 		memcpy(image->pixels + i * image->channels, image->palette + 4 * index,
 		       sizeof *image->pixels * image->channels);
 	}
-}
-
-bool image_bytes_has(const ImageBytes *bytes, size_t count)
-{
-	return bytes->at <= bytes->size && count <= bytes->size - bytes->at;
-}
-
-uint8_t image_bytes_u8(ImageBytes *bytes)
-{
-	return bytes->at < bytes->size ? bytes->data[bytes->at++] : 0;
-}
-
-uint16_t image_bytes_u16le(ImageBytes *bytes)
-{
-	uint16_t low = image_bytes_u8(bytes);
-	return (uint16_t)(low | image_bytes_u8(bytes) << 8);
-}
-
-uint32_t image_bytes_u32le(ImageBytes *bytes)
-{
-	uint32_t low = image_bytes_u16le(bytes);
-	return low | (uint32_t)image_bytes_u16le(bytes) << 16;
-}
-
-/* The whole stream; errno is set when ferror is. */
-static uint8_t *read_whole(FILE *file, size_t *size)
-{
-	size_t used = 0, room = 1 << 16;
-	uint8_t *data = memory_alloc(room);
-	for (;;) {
-		size_t got = fread(data + used, 1, room - used, file);
-		used += got;
-		if (got == 0)
-			break;
-		if (used == room)
-			data = memory_resize(data, room *= 2);
-	}
-	*size = used;
-	return data;
-}
-
-uint8_t *image_bytes_load(const char *path, size_t *size, Diag *diag)
-{
-	FILE *file = fopen(path, "rb");
-	if (!file) {
-		diag_fail(diag, "%s: %s", path, strerror(errno));
-		return NULL;
-	}
-	uint8_t *data = read_whole(file, size);
-	if (ferror(file)) {
-		diag_fail(diag, "%s: %s", path, strerror(errno));
-		free(data);
-		data = NULL;
-	}
-	fclose(file);
-	return data;
-}
-
-static Image *decode(ImageBytes *bytes, Diag *diag)
-{
-	for (size_t i = 0; i < sizeof formats / sizeof *formats; i++) {
-		const Format *f = &formats[i];
-		if (bytes->size >= (size_t)f->length &&
-		    memcmp(bytes->data, f->magic, (size_t)f->length) == 0)
-			return f->decode(bytes, diag);
-	}
-	return image_decode_tga(bytes, diag); /* the one format without a mark */
-}
-
-Image *image_read(const char *path, Diag *diag)
-{
-	size_t size = 0;
-	uint8_t *data = image_bytes_load(path, &size, diag);
-	if (!data)
-		return NULL;
-	ImageBytes bytes = {.path = path, .data = data, .size = size};
-	Image *image = decode(&bytes, diag);
-	free(data);
-	return image;
 }
 
 double image_transfer_decode(double stored, double gamma)

@@ -38,8 +38,4 @@ const char *image_format_extension(ImageFormat format);
  * False on failure, reported. IMAGE_EXR writes the layer RGBA alone, in linear light. */
 bool image_write(const char *path, const ImageEncoding *encoding, const Image *image, Diag *diag);
 
-/* A linear value as the encoding stores it, 0..1, and back. */
-double image_transfer_encode(double linear, double gamma);
-double image_transfer_decode(double stored, double gamma);
-
 #endif

@@ -8,6 +8,7 @@
 #include "check.h"
 #include "image/exr.h"
 #include "image/file.h"
+#include "image/read.h"
 #include "image/write.h"
 
 static char folder[] = "test_image.XXXXXX";
