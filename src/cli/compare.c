@@ -1,36 +1,32 @@
 /* cognac-compare: how far two pictures differ, in numbers and as a map. */
-#include <getopt.h>
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
-#include "config.h"
+#include "cli/tool.h"
 #include "image/compare.h"
 #include "image/layer.h"
 #include "image/read.h"
 #include "image/write.h"
 
 typedef struct Task {
-	const char *image, *reference, *layer, *map;
+	const char *layer, *map;
 	bool json, halve, crop;
 	int x, y, width, height;
 } Task;
 
-static void print_usage(FILE *out)
-{
-	fputs("usage: cognac-compare [OPTION]... IMAGE REFERENCE\n"
-	      "Prints how far IMAGE is from REFERENCE (PNG, OpenEXR, JPEG, TIFF, TGA, PPM ...).\n"
-	      "\n"
-	      "      --crop X,Y,W,H   compare only this part\n"
-	      "      --halve          halve both sizes first\n"
-	      "      --json           print one JSON object\n"
-	      "      --layer NAME     compare this layer of OpenEXR files\n"
-	      "      --map OUT.png    draw the differences in false colours\n"
-	      "      --help           print this and exit\n"
-	      "      --version        print the version and exit\n",
-	      out);
-}
+static const char usage[] =
+	"usage: cognac-compare [OPTION]... IMAGE REFERENCE\n"
+	"Prints how far IMAGE is from REFERENCE (PNG, OpenEXR, JPEG, TIFF, TGA, PPM ...).\n"
+	"\n"
+	"      --crop X,Y,W,H   compare only this part\n"
+	"      --halve          halve both sizes first\n"
+	"      --json           print one JSON object\n"
+	"      --layer NAME     compare this layer of OpenEXR files\n"
+	"      --map OUT.png    draw the differences in false colours\n"
+	"      --help           print this and exit\n"
+	"      --version        print the version and exit\n";
 
 /* NULL, reported, when it is not there. */
 static Image *read_layer(const char *path, const char *layer, Diag *diag)
@@ -98,10 +94,12 @@ static bool write_map(const Task *task, const Image *image, const Image *referen
 	return good;
 }
 
-static bool run(const Task *task, Diag *diag)
+static bool run(void *data, char **operands, int count, Diag *diag)
 {
-	Image *image = prepare(task->image, task, diag);
-	Image *reference = image ? prepare(task->reference, task, diag) : NULL;
+	const Task *task = data;
+	(void)count;
+	Image *image = prepare(operands[0], task, diag);
+	Image *reference = image ? prepare(operands[1], task, diag) : NULL;
 	ImageDifference difference;
 	bool good = reference && image_compare(image, reference, &difference, diag);
 	if (good)
@@ -121,63 +119,32 @@ static bool read_crop(const char *text, Task *task)
 	return task->crop && task->x >= 0 && task->y >= 0 && task->width > 0 && task->height > 0;
 }
 
-enum {
-	OPTION_CROP = 1,
-	OPTION_HALVE,
-	OPTION_JSON,
-	OPTION_LAYER,
-	OPTION_MAP,
-	OPTION_HELP,
-	OPTION_VERSION
+enum { OPTION_CROP = 1, OPTION_HALVE, OPTION_JSON, OPTION_LAYER, OPTION_MAP };
+
+static const struct option options[] = {
+	{"crop", required_argument, NULL, OPTION_CROP},
+	{"halve", no_argument, NULL, OPTION_HALVE},
+	{"json", no_argument, NULL, OPTION_JSON},
+	{"layer", required_argument, NULL, OPTION_LAYER},
+	{"map", required_argument, NULL, OPTION_MAP},
+	TOOL_OPTIONS,
 };
 
-/* 0 go on, 1 done well, -1 a mistake. */
-static int read_options(int argc, char **argv, Task *task)
+static const char *take(void *data, int option, const char *value)
 {
-	static const struct option options[] = {
-		{"crop", required_argument, NULL, OPTION_CROP},
-		{"halve", no_argument, NULL, OPTION_HALVE},
-		{"json", no_argument, NULL, OPTION_JSON},
-		{"layer", required_argument, NULL, OPTION_LAYER},
-		{"map", required_argument, NULL, OPTION_MAP},
-		{"help", no_argument, NULL, OPTION_HELP},
-		{"version", no_argument, NULL, OPTION_VERSION},
-		{NULL, 0, NULL, 0},
-	};
-	int option;
-	while ((option = getopt_long(argc, argv, "", options, NULL)) != -1) {
-		switch (option) {
-		case OPTION_HALVE: task->halve = true; break;
-		case OPTION_JSON: task->json = true; break;
-		case OPTION_LAYER: task->layer = optarg; break;
-		case OPTION_MAP: task->map = optarg; break;
-		case OPTION_HELP: print_usage(stdout); return 1;
-		case OPTION_VERSION: puts("cognac-compare " PACKAGE_VERSION); return 1;
-		case OPTION_CROP:
-			if (read_crop(optarg, task))
-				break;
-			fprintf(stderr, "cognac-compare: --crop wants X,Y,W,H, not %s\n", optarg);
-			return -1;
-		default: return -1;
-		}
+	Task *task = data;
+	switch (option) {
+	case OPTION_CROP: return read_crop(value, task) ? NULL : "X,Y,W,H";
+	case OPTION_HALVE: task->halve = true; return NULL;
+	case OPTION_JSON: task->json = true; return NULL;
+	case OPTION_LAYER: task->layer = value; return NULL;
+	default: task->map = value; return NULL;
 	}
-	if (argc - optind != 2) {
-		print_usage(stderr);
-		return -1;
-	}
-	task->image = argv[optind];
-	task->reference = argv[optind + 1];
-	return 0;
 }
 
 int main(int argc, char **argv)
 {
+	static const Tool tool = {"cognac-compare", usage, "", options, 2, 2, take, run};
 	Task task = {0};
-	int state = read_options(argc, argv, &task);
-	if (state != 0)
-		return state < 0;
-	Diag *diag = diag_create(stderr);
-	bool good = run(&task, diag);
-	diag_destroy(diag);
-	return good ? EXIT_SUCCESS : EXIT_FAILURE;
+	return tool_main(&tool, &task, argc, argv);
 }

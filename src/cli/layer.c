@@ -1,11 +1,10 @@
 /* cognac-layer: what layers an OpenEXR picture has, and one of them as a PNG to look at. */
-#include <getopt.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include "base/arena.h"
-#include "config.h"
+#include "cli/tool.h"
 #include "image/layer.h"
 #include "image/write.h"
 
@@ -14,19 +13,16 @@ typedef struct Task {
 	LayerView view;
 } Task;
 
-static void print_usage(FILE *out)
-{
-	fputs("usage: cognac-layer [OPTION]... PICTURE.exr [LAYER]\n"
-	      "Draws a layer of an OpenEXR picture as PNG; without LAYER names the layers and their values' bounds.\n"
-	      "\n"
-	      "  -o, --output=FILE        the PNG; PICTURE.LAYER.png without it\n"
-	      "      --exposure=FACTOR    multiply light by this first\n"
-	      "      --range=LEAST,MOST   of the colour scale of layers of numbers\n"
-	      "      --unlit              do not shade layers of photons by the caustic\n"
-	      "      --help               print this and exit\n"
-	      "      --version            print the version and exit\n",
-	      out);
-}
+static const char usage[] =
+	"usage: cognac-layer [OPTION]... PICTURE.exr [LAYER]\n"
+	"Draws a layer of an OpenEXR picture as PNG; without LAYER names the layers and their values' bounds.\n"
+	"\n"
+	"  -o, --output=FILE        the PNG; PICTURE.LAYER.png without it\n"
+	"      --exposure=FACTOR    multiply light by this first\n"
+	"      --range=LEAST,MOST   of the colour scale of layers of numbers\n"
+	"      --unlit              do not shade layers of photons by the caustic\n"
+	"      --help               print this and exit\n"
+	"      --version            print the version and exit\n";
 
 static bool list_layers(const ExrImage *exr)
 {
@@ -70,75 +66,55 @@ static bool write_layer(const Task *task, const ExrImage *exr, Diag *diag)
 	return good;
 }
 
-static bool run(const Task *task, Diag *diag)
+static bool run(void *data, char **operands, int count, Diag *diag)
 {
+	Task *task = data;
+	task->picture = operands[0];
+	task->layer = count > 1 ? operands[1] : NULL;
 	ExrImage *exr = exr_read(task->picture, diag);
 	bool good = exr && (task->layer ? write_layer(task, exr, diag) : list_layers(exr));
 	exr_destroy(exr);
 	return good;
 }
 
-enum { OPTION_EXPOSURE = 1, OPTION_RANGE, OPTION_UNLIT, OPTION_HELP, OPTION_VERSION };
+enum { OPTION_EXPOSURE = 1, OPTION_RANGE, OPTION_UNLIT };
 
-static bool read_exposure(const char *text, Task *task)
+static const struct option options[] = {
+	{"output", required_argument, NULL, 'o'},
+	{"exposure", required_argument, NULL, OPTION_EXPOSURE},
+	{"range", required_argument, NULL, OPTION_RANGE},
+	{"unlit", no_argument, NULL, OPTION_UNLIT},
+	TOOL_OPTIONS,
+};
+
+static bool read_exposure(const char *text, LayerView *view)
 {
 	char rest;
-	if (sscanf(text, "%lf%c", &task->view.exposure, &rest) == 1 && task->view.exposure > 0)
-		return true;
-	fprintf(stderr, "cognac-layer: --exposure wants a number above 0, not %s\n", text);
-	return false;
+	return sscanf(text, "%lf%c", &view->exposure, &rest) == 1 && view->exposure > 0;
 }
 
-static bool read_range(const char *text, Task *task)
+static bool read_range(const char *text, LayerView *view)
 {
 	char rest;
-	if (sscanf(text, "%lf,%lf%c", &task->view.least, &task->view.most, &rest) == 2 &&
-	    task->view.least < task->view.most)
-		return true;
-	fprintf(stderr, "cognac-layer: --range wants LEAST,MOST, not %s\n", text);
-	return false;
+	return sscanf(text, "%lf,%lf%c", &view->least, &view->most, &rest) == 2 &&
+	       view->least < view->most;
 }
 
-/* 0 go on, 1 done well, -1 a mistake. */
-static int read_options(int argc, char **argv, Task *task)
+static const char *take(void *data, int option, const char *value)
 {
-	static const struct option options[] = {
-		{"output", required_argument, NULL, 'o'},
-		{"exposure", required_argument, NULL, OPTION_EXPOSURE},
-		{"range", required_argument, NULL, OPTION_RANGE},
-		{"unlit", no_argument, NULL, OPTION_UNLIT},
-		{"help", no_argument, NULL, OPTION_HELP},
-		{"version", no_argument, NULL, OPTION_VERSION},
-		{NULL, 0, NULL, 0},
-	};
-	int option;
-	bool good = true;
-	while (good && (option = getopt_long(argc, argv, "o:", options, NULL)) != -1) {
-		switch (option) {
-		case 'o': task->output = optarg; break;
-		case OPTION_EXPOSURE: good = read_exposure(optarg, task); break;
-		case OPTION_RANGE: good = read_range(optarg, task); break;
-		case OPTION_UNLIT: task->view.unlit = true; break;
-		case OPTION_HELP: print_usage(stdout); return 1;
-		case OPTION_VERSION: puts("cognac-layer " PACKAGE_VERSION); return 1;
-		default: good = false;
-		}
+	Task *task = data;
+	switch (option) {
+	case OPTION_EXPOSURE:
+		return read_exposure(value, &task->view) ? NULL : "a number above 0";
+	case OPTION_RANGE: return read_range(value, &task->view) ? NULL : "LEAST,MOST";
+	case OPTION_UNLIT: task->view.unlit = true; return NULL;
+	default: task->output = value; return NULL;
 	}
-	if (good && argc - optind != 1 && argc - optind != 2)
-		print_usage(stderr);
-	else if (good)
-		task->picture = argv[optind], task->layer = argv[optind + 1]; /* or NULL */
-	return task->picture ? 0 : -1;
 }
 
 int main(int argc, char **argv)
 {
+	static const Tool tool = {"cognac-layer", usage, "o:", options, 1, 2, take, run};
 	Task task = {.view = {.exposure = 1}};
-	int state = read_options(argc, argv, &task);
-	if (state != 0)
-		return state < 0;
-	Diag *diag = diag_create(stderr);
-	bool good = run(&task, diag);
-	diag_destroy(diag);
-	return good ? EXIT_SUCCESS : EXIT_FAILURE;
+	return tool_main(&tool, &task, argc, argv);
 }

@@ -10,9 +10,9 @@ libcli_a_SOURCES = src/cli/animation.c src/cli/animation.h src/cli/frame.c src/c
 	src/cli/switches.c src/cli/words.c
 cognac_SOURCES = src/cli/main.c
 cognac_LDADD = libcli.a $(COGNAC_ROOMS) libimage.a libbase.a $(COGNAC_LIBS)
-cognac_compare_SOURCES = src/cli/compare.c
+cognac_compare_SOURCES = src/cli/compare.c src/cli/tool.c src/cli/tool.h
 cognac_compare_LDADD = libimage.a libbase.a $(IMAGE_LIBS)
-cognac_layer_SOURCES = src/cli/layer.c
+cognac_layer_SOURCES = src/cli/layer.c src/cli/tool.c src/cli/tool.h
 cognac_layer_LDADD = libimage.a libbase.a $(IMAGE_LIBS)
-cognac_merge_SOURCES = src/cli/merge.c
+cognac_merge_SOURCES = src/cli/merge.c src/cli/tool.c src/cli/tool.h
 cognac_merge_LDADD = libimage.a libbase.a $(IMAGE_LIBS)

@@ -3,14 +3,14 @@
  * +EC). The parts are PNG or OpenEXR files; each names the pixels it holds. The result has the bits
  * of a picture that one run rendered.
  */
-#include <getopt.h>
+#include <limits.h>
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include "base/arena.h"
-#include "config.h"
+#include "cli/tool.h"
 #include "image/exr.h"
 #include "image/read.h"
 #include "image/write.h"
@@ -224,7 +224,19 @@ static bool write_png(const Merge *merge, const char *path)
 	return good;
 }
 
-static bool run(const char *output, int count, char **paths, Diag *diag)
+static const char usage[] =
+	"usage: cognac-merge --output=FILE PART...\n"
+	"Puts the parts of one picture (PNG or OpenEXR, rendered with +SR, +ER, +SC, +EC) together.\n"
+	"\n"
+	"  -o, --output=FILE    the whole picture, in the format of its parts\n"
+	"      --help           print this and exit\n"
+	"      --version        print the version and exit\n";
+
+typedef struct Task {
+	const char *output; /* NULL until the option is met */
+} Task;
+
+static bool merge_all(const char *output, int count, char **paths, Diag *diag)
 {
 	Merge merge = {.whole = {.path = paths[0]}, .diag = diag};
 	bool good = part_read(&merge.whole, diag);
@@ -244,49 +256,29 @@ static bool run(const char *output, int count, char **paths, Diag *diag)
 	return good;
 }
 
-static void print_usage(FILE *out)
+static const char *take(void *task, int option, const char *value)
 {
-	fputs("usage: cognac-merge --output=FILE PART...\n"
-	      "Puts the parts of one picture (PNG or OpenEXR, rendered with +SR, +ER, +SC, +EC) together.\n"
-	      "\n"
-	      "  -o, --output=FILE    the whole picture, in the format of its parts\n"
-	      "      --help           print this and exit\n"
-	      "      --version        print the version and exit\n",
-	      out);
+	(void)option;
+	((Task *)task)->output = value;
+	return NULL;
 }
 
-enum { OPTION_HELP = 1, OPTION_VERSION };
-
-/* 0 go on, 1 done well, -1 a mistake. */
-static int read_options(int argc, char **argv, const char **output)
+static bool run(void *task, char **operands, int count, Diag *diag)
 {
-	static const struct option options[] = {
-		{"output", required_argument, NULL, 'o'}, {"help", no_argument, NULL, OPTION_HELP},
-		{"version", no_argument, NULL, OPTION_VERSION}, {NULL, 0, NULL, 0},
-	};
-	int option;
-	while ((option = getopt_long(argc, argv, "o:", options, NULL)) != -1) {
-		switch (option) {
-		case 'o': *output = optarg; break;
-		case OPTION_HELP: print_usage(stdout); return 1;
-		case OPTION_VERSION: puts("cognac-merge " PACKAGE_VERSION); return 1;
-		default: return -1;
-		}
-	}
-	if (*output && optind < argc)
-		return 0;
-	print_usage(stderr);
-	return -1;
+	const char *output = ((const Task *)task)->output;
+	if (output)
+		return merge_all(output, count, operands, diag);
+	diag_fail(diag, "no --output=FILE for the whole picture");
+	return false;
 }
 
 int main(int argc, char **argv)
 {
-	const char *output = NULL;
-	int state = read_options(argc, argv, &output);
-	if (state != 0)
-		return state < 0;
-	Diag *diag = diag_create(stderr);
-	bool good = run(output, argc - optind, argv + optind, diag);
-	diag_destroy(diag);
-	return good ? EXIT_SUCCESS : EXIT_FAILURE;
+	static const struct option options[] = {
+		{"output", required_argument, NULL, 'o'},
+		TOOL_OPTIONS,
+	};
+	static const Tool tool = {"cognac-merge", usage, "o:", options, 1, INT_MAX, take, run};
+	Task task = {NULL};
+	return tool_main(&tool, &task, argc, argv);
 }

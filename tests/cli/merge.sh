@@ -59,6 +59,7 @@ merge 1 -o none.png upper.png other.png
 grep -q 'holds another pixel' err || fail "another picture's part is taken"
 merge 1 -o none.png missing.png
 merge 1 upper.png lower.png
+grep -q -- "no --output=FILE" err || fail "a missing output is told as $(cat err)"
 merge 1 -o none.png
 [ ! -e none.png ] || fail "a picture is left after a failure"
 merge 0 --help

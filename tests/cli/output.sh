@@ -14,6 +14,8 @@ done
 ! "$COMPARE" --layer nonsense format_E.exr format_E.exr >out 2>&1 || fail "a layer that is not there"
 ! "$COMPARE" plain.png missing.png >out 2>&1 || fail "comparing with nothing"
 "$COMPARE" --json --crop 4,4,8,8 --halve --map map.png format_J.jpg plain.png >out || fail "cognac-compare's options"
+! "$COMPARE" --crop 4,4,8 format_J.jpg plain.png >never 2>err || fail "a crop of three numbers"
+grep -q 'cognac-compare: --crop wants X,Y,W,H, not 4,4,8' err || fail "a bad crop is told as $(cat err)"
 grep -q '"SSIM": 0.9' out || fail "JPEG is not close: $(cat out)"
 [ -s map.png ] || fail "no map"
 
