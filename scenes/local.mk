@@ -17,10 +17,10 @@ pictures/dragon.inc: $(srcdir)/scenes/dragon.py
 	@$(MKDIR_P) pictures
 	python3 $< >$@.new && mv $@.new $@
 
-# Figures 1, 6, 8 and 9 of Spencer and Jones (2013) with scenes of ours, into figures/ of the build directory, at a
-# quarter of the counts: about half an hour. A run that was stopped goes on. `make figures-relaxation FIGURES_SHARE=1` for the
-# counts of the paper, which takes hours, 0.05 for a quick look; FIGURES="6 8" for some; figure 0
-# is scenes/relaxation.png.
+# Figures 1, 6, 8 and 9 of Spencer and Jones (2013) with scenes of ours, into figures/ of the build
+# directory, at a quarter of the counts: about ten minutes of two processors. A run that was stopped
+# goes on. `make figures-relaxation FIGURES_SHARE=1` for the counts of the paper, which takes an hour
+# and more, 0.05 for a quick look; FIGURES="6 8" for some; figure 0 is scenes/relaxation.png.
 FIGURES = 0 1 6 8 9
 FIGURES_SHARE = 0.25
 EXTRA_DIST += scenes/figures

@@ -2,7 +2,8 @@
 #include "sheet.inc"
 #declare Photons = concat(str(Stored / 1000, 0, 0), "k photons, ");
 #macro Whole(File, Column, Row, Caption)
-  Panel(concat("6-", File, ".png"), <480, 360>, <0, 0>, <480, 360>, <8 + Column * 488, 8 + Row * 392>, 1, Caption)
+  Panel(concat("6-", File, ".png"), <480, 360>, <0, 0>, <480, 360>,
+    <8 + Column * 488, 8 + Row * 392>, 1, Caption)
 #end
 Whole("0", 0, 0, concat("(a) ", Photons, "15 nearest"))
 Whole("1", 1, 0, concat("(b) ", Photons, "plain relaxation, 15 nearest"))

@@ -1,4 +1,5 @@
-// The halogen lamp's chair from above: the patches of light that the facets of the reflector throw over one another.
+// The halogen lamp's chair from above: the patches of light that the facets of the reflector throw
+// over one another.
 #include "../halogen.pov"
 camera {
   location <-13, 15, -20>

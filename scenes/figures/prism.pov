@@ -1,4 +1,5 @@
-// A prism of glass, cast with faintly wavy faces, before a strong small lamp: shards of light that lie over one another.
+// A prism of glass, cast with faintly wavy faces, before a strong small lamp: shards of light that
+// lie over one another.
 // Plain POV-Ray 3.7; one unit is a centimetre. Declare=Photon_Count=N for more photons.
 #version 3.7;
 
