@@ -52,9 +52,19 @@ static void read_looks_like(Cursor *cursor, LightReading *reading, const Node *b
 
 static bool read_area(Cursor *cursor, Light *light)
 {
+	enum { MOST_LIGHTS = 1 << 24 };
 	light->area = true;
-	return cursor_take_vec3(cursor, &light->axis1) && cursor_take_vec3(cursor, &light->axis2) &&
-	       cursor_take_int(cursor, &light->size1) && cursor_take_int(cursor, &light->size2);
+	if (!cursor_take_vec3(cursor, &light->axis1) || !cursor_take_vec3(cursor, &light->axis2))
+		return false;
+	Location where = cursor_where(cursor);
+	if (!cursor_take_int(cursor, &light->size1) || !cursor_take_int(cursor, &light->size2))
+		return false;
+	if ((double)light->size1 * light->size2 <= MOST_LIGHTS)
+		return true;
+	diag_error(cursor->context->diag, where, "an area light is of at most %d lights, not %.0f",
+		   MOST_LIGHTS, (double)light->size1 * light->size2);
+	light->size1 = light->size2 = 1;
+	return false;
 }
 
 /* Words with numbers; false when none of them is next. */

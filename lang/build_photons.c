@@ -51,11 +51,11 @@ static bool take_positive(Cursor *cursor, double *out)
 
 /* ---- estimator ---- */
 
-enum { MOST_PHOTONS = 10000, NEAREST_COUNT = 50 };
+enum { NEAREST_COUNT = 50 };
 
 static bool take_photons(Cursor *cursor, Estimator *estimator)
 {
-	return take_whole(cursor, 1, MOST_PHOTONS, &estimator->count);
+	return take_whole(cursor, 1, ESTIMATOR_MOST_PHOTONS, &estimator->count);
 }
 
 static bool take_radius(Cursor *cursor, Estimator *estimator)
@@ -280,16 +280,32 @@ static const char *take_path(Cursor *cursor)
 		       : NULL;
 }
 
+/* POV-Ray takes any maximum; here a warning tells what is gathered instead. */
+static void read_gather(Cursor *cursor, PhotonSettings *settings)
+{
+	if (!cursor_take_int(cursor, &settings->gather_min))
+		return;
+	Location where = cursor_where(cursor);
+	if (!cursor_take_int(cursor, &settings->gather_max) ||
+	    settings->gather_max <= ESTIMATOR_MOST_PHOTONS)
+		return;
+	settings->gather_max = ESTIMATOR_MOST_PHOTONS;
+	diag_warning(cursor->context->diag, where, "at most %d photons are gathered",
+		     ESTIMATOR_MOST_PHOTONS);
+}
+
 static bool accept_global_number(Cursor *cursor, PhotonSettings *settings)
 {
 	double number;
+	Location where = cursor_where(cursor);
 	if (cursor_accept_word(cursor, W_spacing)) {
+		settings->where = where;
 		take_positive(cursor, &settings->spacing);
 	} else if (cursor_accept_word(cursor, W_count)) {
+		settings->where = where;
 		take_count(cursor, &settings->count);
 	} else if (cursor_accept_word(cursor, W_gather)) {
-		if (cursor_take_int(cursor, &settings->gather_min))
-			cursor_take_int(cursor, &settings->gather_max);
+		read_gather(cursor, settings);
 	} else if (cursor_accept_word(cursor, W_radius)) {
 		read_radii(cursor, settings);
 	} else if (cursor_accept_word(cursor, W_jitter)) {
@@ -359,6 +375,7 @@ void build_photons_global(Context *context, const Node *block, PhotonSettings *s
 {
 	Cursor cursor = cursor_begin(context, block);
 	settings->on = true;
+	settings->where = block->where;
 	while (!cursor_at_end(&cursor))
 		if (!accept_global_number(&cursor, settings) &&
 		    !accept_global_other(&cursor, settings))

@@ -98,9 +98,15 @@ Value builtin_chr(const BuiltinCall *call)
 
 Value builtin_concat(const BuiltinCall *call)
 {
+	enum { LONGEST = 1 << 26 };
 	size_t length = 1;
 	for (int i = 0; i < call->count; i++)
 		length += strlen(call->args[i].string);
+	if (length > LONGEST) {
+		diag_error(call->context->diag, call->where,
+			   "a string of %zu bytes is too long: at most %d", length - 1, LONGEST - 1);
+		return value_string("");
+	}
 	char *text = arena_alloc(call->context->parse, length), *end = text;
 	for (int i = 0; i < call->count; i++) {
 		size_t part = strlen(call->args[i].string);

@@ -1,11 +1,14 @@
 #include "base/arena.h"
 
 #include <stdarg.h>
+#include <stdbool.h>
 #include <stdint.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include <sys/mman.h>
+#include <sys/resource.h>
+#include <unistd.h>
 
 enum { CACHE_LINE = 64, LARGE_PAGE = 1 << 21 };
 enum { ALIGNMENT = 16, FIRST_BLOCK = 1 << 16, LARGEST_BLOCK = 1 << 24 };
@@ -51,6 +54,14 @@ void *memory_alloc_wide(size_t size)
 void *memory_resize(void *old, size_t size)
 {
 	return or_die(realloc(old, size ? size : 1));
+}
+
+double memory_most(void)
+{
+	double machine = (double)sysconf(_SC_PHYS_PAGES) * (double)sysconf(_SC_PAGESIZE);
+	struct rlimit limit;
+	bool limited = getrlimit(RLIMIT_AS, &limit) == 0 && limit.rlim_cur != RLIM_INFINITY;
+	return limited && (double)limit.rlim_cur < machine ? (double)limit.rlim_cur : machine;
 }
 
 Arena *arena_create(void)

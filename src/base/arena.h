@@ -37,5 +37,8 @@ void *memory_alloc(size_t size);
 void *memory_resize(void *old, size_t size);
 /* For large arrays: aligned to a cache line, in large pages where the system has them. */
 void *memory_alloc_wide(size_t size);
+/* Bytes that the program can have at most: the machine's memory, or the limit set on the process
+ * (ulimit -v). */
+double memory_most(void);
 
 #endif

@@ -219,6 +219,22 @@ static Status stop(FrameWork *work)
 	return STATUS_STOPPED;
 }
 
+/* NULL, reported, for a picture that memory cannot hold. */
+static Film *new_film(const FrameWork *work)
+{
+	static const double giga = 1e9;
+	const Options *options = work->job->options;
+	unsigned layers = output_layers(options, work->scene->settings.photons.on ||
+							 options->load_photons_file);
+	double bytes = film_bytes(options->width, options->height, layers);
+	if (bytes <= memory_most())
+		return film_create(options->width, options->height, layers);
+	diag_fail(work->job->diag,
+		  "a picture of %d x %d pixels takes %.0f GB of memory; here are %.1f GB",
+		  options->width, options->height, bytes / giga, memory_most() / giga);
+	return NULL;
+}
+
 static Film *open_film(const FrameWork *work)
 {
 	const Options *options = work->job->options;
@@ -228,9 +244,7 @@ static Film *open_film(const FrameWork *work)
 			diag_note(work->job->diag, "going on with %s", work->path);
 		return film;
 	}
-	return film_create(options->width, options->height,
-			   output_layers(options, work->scene->settings.photons.on ||
-							  options->load_photons_file));
+	return new_film(work);
 }
 
 static PassOptions pass_options(const Options *options)

@@ -67,12 +67,13 @@ static bool set_estimator(Options *options, const char *value, Diag *diag)
 
 static bool set_passes(Options *options, const char *value, Diag *diag)
 {
+	enum { MOST_PASSES = 1000000000 };
 	char *end;
 	long passes = strtol(value, &end, 10);
 	options->passes = (int)passes;
-	if (*value && !*end && passes > 0 && passes <= 1000000000)
+	if (*value && !*end && passes > 0 && passes <= MOST_PASSES)
 		return true;
-	diag_fail(diag, "--passes wants a whole number above 0, not %s", value);
+	diag_fail(diag, "--passes wants a whole number from 1 to %d, not %s", MOST_PASSES, value);
 	return false;
 }
 

@@ -25,7 +25,4 @@ extern const EstimatorMethod diffusion_method; /* diffusion.c */
 extern const EstimatorMethod expand_method;    /* expand.c: as POV-Ray gathers */
 extern const EstimatorMethod footprint_method; /* footprint.c: sheets over emitter space */
 
-/* More photons than this per gather point are refused: they stand on the stack. */
-enum { ESTIMATOR_MOST_PHOTONS = 10000 };
-
 #endif

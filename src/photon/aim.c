@@ -248,6 +248,9 @@ static double aimed_area(const PhotonAim *aim)
 	return aim->region.rectangle ? aim->region.measure : M_PI * radius * radius;
 }
 
+/* Of a target; more would not be done in a lifetime, and their numbers stay whole. */
+static const double MOST_PATHS = 1e15;
+
 /*
  * With `spacing` a target gets one path per spacing squared of its disc. With `count` that many
  * paths at the boxes are shared out by the same measure. Lights take `share` times as many.
@@ -268,7 +271,7 @@ static void share_out(const Scene *scene, PhotonAims *aims, const double *densit
 					 : disc / (settings->spacing > 0
 							   ? settings->spacing * settings->spacing
 							   : 1);
-		aim->paths = (uint64_t)fmax(ceil(paths * options->scale), 1);
+		aim->paths = (uint64_t)fmin(fmax(ceil(paths * options->scale), 1), MOST_PATHS);
 		aim->first = aims->paths;
 		aims->paths += aim->paths;
 	}

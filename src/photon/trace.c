@@ -6,26 +6,24 @@
 #include "base/clock.h"
 #include "base/parallel.h"
 #include "photon/path.h"
+#include "photon/room.h"
 
 /* Paths are traced in chunks, and some chunks a thread at a time: each of these has a buffer of its
  * own, and buffers are joined in order and used again, so that they stay in the caches. Threads
  * wait for each other at the end of a round, for half a chunk on average. */
 enum { CHUNK = 1024, ROUND_OF_THREAD = 32 };
 
-typedef struct Chunk {
-	const PhotonAim *aim;
-	uint64_t first, count;
-} Chunk;
-
 typedef struct Job {
 	const Scene *scene;
 	const PhotonTraceOptions *options;
-	Chunk *chunks;
-	long count, done;
+	const PhotonAims *aims;
+	long *firsts;      /* number of each aim's first chunk */
+	long count, done;  /* chunks */
 	PhotonBuffer *buffers;
 	long round; /* how many */
 	Photon *photons;
 	size_t *places; /* of each buffer's photons among these */
+	size_t room;    /* for so many photons at most */
 } Job;
 
 static bool stopped(const PhotonTraceOptions *options)
@@ -33,29 +31,41 @@ static bool stopped(const PhotonTraceOptions *options)
 	return options->stop && *options->stop;
 }
 
+/* The aim whose paths the chunk holds. */
+static int aim_of_chunk(const Job *job, long chunk)
+{
+	int low = 0, high = job->aims->count;
+	while (high - low > 1) {
+		int middle = low + (high - low) / 2;
+		if (job->firsts[middle] <= chunk)
+			low = middle;
+		else
+			high = middle;
+	}
+	return low;
+}
+
 static void trace_chunk(void *data, long item, int thread)
 {
 	(void)thread;
 	Job *job = data;
-	const Chunk *chunk = &job->chunks[job->done + item];
+	int aim = aim_of_chunk(job, job->done + item);
+	uint64_t first = (uint64_t)(job->done + item - job->firsts[aim]) * CHUNK;
+	uint64_t left = job->aims->aims[aim].paths - first;
 	PhotonBuffer *buffer = &job->buffers[item];
 	buffer->count = 0;
 	buffer->statistics = (PhotonStatistics){0};
 	if (!stopped(job->options))
-		photon_paths(job->scene, chunk->aim, job->options, chunk->first, chunk->count,
-			     buffer);
+		photon_paths(job->scene, &job->aims->aims[aim], job->options, first,
+			     left < CHUNK ? left : CHUNK, buffer);
 }
 
-static void cut_chunks(Job *job, const PhotonAims *aims, Arena *arena)
+static void number_chunks(Job *job, Arena *arena)
 {
-	job->chunks = ARENA_ARRAY(arena, Chunk, aims->paths / CHUNK + (uint64_t)aims->count + 1);
-	for (int a = 0; a < aims->count; a++) {
-		const PhotonAim *aim = &aims->aims[a];
-		for (uint64_t first = 0; first < aim->paths; first += CHUNK) {
-			uint64_t left = aim->paths - first;
-			job->chunks[job->count++] = (Chunk){
-				.aim = aim, .first = first, .count = left < CHUNK ? left : CHUNK};
-		}
+	job->firsts = ARENA_ARRAY(arena, long, job->aims->count + 1);
+	for (int a = 0; a < job->aims->count; a++) {
+		job->firsts[a] = job->count;
+		job->count += (long)((job->aims->aims[a].paths + CHUNK - 1) / CHUNK);
 	}
 }
 
@@ -105,17 +115,23 @@ static void join_buffers(Job *job, long count, size_t *stored, size_t *capacity)
 	*stored = sum;
 }
 
-static PhotonMap *trace_rounds(Job *job, uint64_t paths, PhotonStatistics *statistics)
+/* NULL: there are more than there is room for. */
+static PhotonMap *trace_rounds(Job *job, PhotonStatistics *statistics)
 {
+	uint64_t paths = job->aims->paths;
 	size_t capacity = (size_t)(paths < ROOM_AT_FIRST ? paths + 1 : ROOM_AT_FIRST), stored = 0;
 	job->photons = memory_alloc_wide(sizeof(Photon) * capacity);
-	while (job->done < job->count && !stopped(job->options)) {
+	while (job->done < job->count && !stopped(job->options) && stored <= job->room) {
 		long left = job->count - job->done, some = left < job->round ? left : job->round;
 		parallel_for(some, 1, trace_chunk, job);
 		join_buffers(job, some, &stored, &capacity);
 		for (long i = 0; i < some; i++)
 			photon_statistics_add(statistics, &job->buffers[i].statistics);
 		job->done += some;
+	}
+	if (stored > job->room) {
+		free(job->photons);
+		return NULL;
 	}
 	PhotonMap *map = photon_map_create();
 	map->photons = memory_resize(job->photons, sizeof(Photon) * stored);
@@ -145,6 +161,37 @@ static void forget_emitters(PhotonMap *map)
 		memset(map->photons[i].emitter, 0, sizeof map->photons[i].emitter);
 }
 
+/* Only where one photon a path would be too many is it found out how many paths leave one. */
+static bool has_room(const Job *job)
+{
+	return job->aims->paths <= job->room ||
+	       photon_room_forecast(job->scene, job->aims, job->options) <= (double)job->room;
+}
+
+/* NULL: stopped, or refused for want of memory. */
+static PhotonMap *trace_aims(Job *job, PhotonStatistics *statistics, Arena *arena)
+{
+	bool refused = !has_room(job);
+	PhotonMap *map = NULL;
+	job->round = (long)parallel_threads() * ROUND_OF_THREAD;
+	job->buffers = ARENA_ARRAY(arena, PhotonBuffer, job->round);
+	job->places = ARENA_ARRAY(arena, size_t, job->round);
+	number_chunks(job, arena);
+	if (!refused) {
+		map = trace_rounds(job, statistics);
+		refused = !map;
+	}
+	for (long i = 0; i < job->round; i++)
+		free(job->buffers[i].photons);
+	if (refused && !stopped(job->options))
+		photon_room_refuse(job->scene, job->aims, job->options);
+	if (map && stopped(job->options)) {
+		photon_map_destroy(map);
+		map = NULL;
+	}
+	return map;
+}
+
 PhotonMap *photon_trace(const Scene *scene, const PhotonTraceOptions *options,
 			PhotonStatistics *statistics)
 {
@@ -152,20 +199,15 @@ PhotonMap *photon_trace(const Scene *scene, const PhotonTraceOptions *options,
 	double wall = clock_wall(), cpu = clock_cpu();
 	Arena *arena = arena_create();
 	PhotonAims aims = photon_aims(scene, options, arena);
-	Job job = {.scene = scene, .options = options};
-	job.round = (long)parallel_threads() * ROUND_OF_THREAD;
-	job.buffers = ARENA_ARRAY(arena, PhotonBuffer, job.round);
-	job.places = ARENA_ARRAY(arena, size_t, job.round);
-	cut_chunks(&job, &aims, arena);
-	PhotonMap *map = trace_rounds(&job, aims.paths, &own);
-	note_lights(map, scene, &aims);
-	if (!scene->settings.photons.emitter_coordinates)
-		forget_emitters(map);
-	for (long i = 0; i < job.round; i++)
-		free(job.buffers[i].photons);
-	if (stopped(options)) {
-		photon_map_destroy(map);
-		map = NULL;
+	Job job = {.scene = scene,
+		   .options = options,
+		   .aims = &aims,
+		   .room = (size_t)photon_room(scene)};
+	PhotonMap *map = trace_aims(&job, &own, arena);
+	if (map) {
+		note_lights(map, scene, &aims);
+		if (!scene->settings.photons.emitter_coordinates)
+			forget_emitters(map);
 	}
 	arena_destroy(arena);
 	own.seconds = clock_wall() - wall;

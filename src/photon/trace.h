@@ -16,6 +16,7 @@ typedef struct PhotonTraceOptions {
 	uint64_t count;    /* photons to aim for; 0: as the scene says */
 	double scale;      /* of the scene's count; 1 */
 	const volatile int *stop;
+	Diag *diag;        /* NULL: silent */
 } PhotonTraceOptions;
 
 typedef struct PhotonStatistics {
@@ -27,7 +28,8 @@ typedef struct PhotonStatistics {
 
 void photon_statistics_add(PhotonStatistics *sum, const PhotonStatistics *part);
 
-/* A new map, not yet indexed. NULL when stopped. statistics may be NULL. */
+/* A new map, not yet indexed. NULL when stopped, or when the machine has no room for so many photons,
+ * which is reported. statistics may be NULL. */
 PhotonMap *photon_trace(const Scene *scene, const PhotonTraceOptions *options,
 			PhotonStatistics *statistics);
 

@@ -46,6 +46,15 @@ static size_t plane_bytes(const Film *film, FilmLayer layer)
 	return pixel_count(film) * (size_t)layer_info[layer].channels * sizeof(float);
 }
 
+double film_bytes(int width, int height, unsigned layers)
+{
+	double channels = 0;
+	for (int i = 0; i < FILM_LAYER_COUNT; i++)
+		if ((layers | 1u << FILM_COLOR) >> i & 1)
+			channels += layer_info[i].channels;
+	return (double)width * height * (1 + channels * sizeof(float));
+}
+
 Film *film_create(int width, int height, unsigned layers)
 {
 	Film *film = memory_alloc(sizeof *film);

@@ -48,6 +48,8 @@ typedef struct FilmRect {
 
 typedef struct Film Film;
 
+/* The memory that film_create takes. */
+double film_bytes(int width, int height, unsigned layers);
 /* layers: a sum of (1u << FILM_...); FILM_COLOR is always there. All zero, nothing done. */
 Film *film_create(int width, int height, unsigned layers);
 Film *film_create_like(const Film *film); /* of the same size and layers, all zero */

@@ -39,7 +39,7 @@ void pass_statistics_add(PassStatistics *sum, const PassStatistics *part)
 
 /* ---- photons ---- */
 
-/* NULL: stopped. */
+/* NULL: stopped, or refused, reported. */
 static PhotonMap *trace_photons(Passes *passes)
 {
 	PhotonTraceOptions options = {
@@ -47,6 +47,7 @@ static PhotonMap *trace_photons(Passes *passes)
 		.pass = passes->pass,
 		.scale = 1,
 		.stop = passes->callbacks.stop,
+		.diag = passes->job->diag,
 	};
 	PhotonStatistics statistics;
 	PhotonMap *map = photon_trace(passes->job->scene, &options, &statistics);
@@ -78,6 +79,12 @@ static bool can_tell_landed(const Passes *passes, const PhotonMap *map, const ch
 	return false;
 }
 
+/* Of a pass without photons. */
+static RenderStatus status_of_none(const Passes *passes)
+{
+	return is_stopped(passes) ? RENDER_STOPPED : RENDER_FAILED;
+}
+
 /* From a file or from the lights; NULL with *status set. */
 static PhotonMap *get_photons(Passes *passes, RenderStatus *status)
 {
@@ -85,7 +92,7 @@ static PhotonMap *get_photons(Passes *passes, RenderStatus *status)
 	const char *load = options->load_file ? options->load_file : passes->settings->load_file;
 	const char *save = options->save_file ? options->save_file : passes->settings->save_file;
 	PhotonMap *map = load ? photon_map_read(load, passes->job->diag) : trace_photons(passes);
-	*status = map ? RENDER_DONE : load ? RENDER_FAILED : RENDER_STOPPED;
+	*status = map ? RENDER_DONE : load ? RENDER_FAILED : status_of_none(passes);
 	if (map && load)
 		passes->statistics->photons.stored = map->count;
 	if (!map)
@@ -156,7 +163,7 @@ static RenderStatus settle_radius(Passes *passes)
 		statistics->photons = kept;
 		passes->pass = pass;
 		if (!map)
-			return RENDER_STOPPED;
+			return status_of_none(passes);
 		passes->progressive.radius = first_radius(passes, map);
 		photon_map_destroy(map);
 	}
@@ -196,7 +203,7 @@ static RenderStatus render_pass(Passes *passes, Film *film)
 	settle_place(passes);
 	PhotonMap *map = trace_photons(passes);
 	if (!map)
-		return RENDER_STOPPED;
+		return status_of_none(passes);
 	relax_photons(passes, map);
 	film_add_photons(film, map->count);
 	double radius = radius_of_pass(passes, passes->pass);

@@ -22,6 +22,9 @@ typedef enum EstimatorKernel {
 } EstimatorKernel;
 
 /* estimator { }: zeros stand for the method's own default. */
+/* No method gathers more photons at a point: they stand on the stack. */
+enum { ESTIMATOR_MOST_PHOTONS = 10000 };
+
 typedef struct Estimator {
 	EstimatorKind kind;
 	EstimatorKernel kernel;
@@ -63,6 +66,7 @@ enum { PHOTON_RADII = 2 };
 /* global_settings { photons { } } */
 typedef struct PhotonSettings {
 	bool on;
+	Location where;             /* how many were asked for */
 	double spacing;             /* 0: unset */
 	int count;                  /* 0: unset */
 	int gather_min, gather_max; /* 20, 100 */

@@ -1,0 +1,67 @@
+#include "photon/room.h"
+
+#include <math.h>
+#include <stdint.h>
+#include <stdlib.h>
+
+#include "photon/path.h"
+
+/* Bytes a photon, at most, measured: kept and found again; while it is relaxed; as a corner of a
+ * sheet. Larger numbers would refuse what can be done. */
+enum { BYTES_KEPT = 100, BYTES_RELAXED = 390, BYTES_SHEETS = 690 };
+
+static double bytes_of_photon(const PhotonSettings *settings)
+{
+	if (settings->estimator.kind == ESTIMATOR_FOOTPRINT)
+		return BYTES_SHEETS;
+	return settings->relaxation.on ? BYTES_RELAXED : BYTES_KEPT;
+}
+
+uint64_t photon_room(const Scene *scene)
+{
+	return (uint64_t)fmin(memory_most() / bytes_of_photon(&scene->settings.photons),
+			      UINT32_MAX);
+}
+
+/* The aim that path number `path` of all belongs to. */
+static const PhotonAim *aim_of_path(const PhotonAims *aims, uint64_t path)
+{
+	int a = 0;
+	while (a + 1 < aims->count && aims->aims[a + 1].first <= path)
+		a++;
+	return &aims->aims[a];
+}
+
+double photon_room_forecast(const Scene *scene, const PhotonAims *aims,
+			    const PhotonTraceOptions *options)
+{
+	enum { PROBES = 256, PROBE_PATHS = 64 };
+	PhotonBuffer buffer = {.photons = NULL};
+	uint64_t paths = 0;
+	for (int i = 0; i < PROBES && !(options->stop && *options->stop); i++) {
+		uint64_t path = aims->paths / PROBES * (uint64_t)i;
+		const PhotonAim *aim = aim_of_path(aims, path);
+		uint64_t first = path - aim->first, left = aim->paths - first;
+		uint64_t count = left < PROBE_PATHS ? left : PROBE_PATHS;
+		photon_paths(scene, aim, options, first, count, &buffer);
+		paths += count;
+	}
+	double share = paths ? (double)buffer.count / (double)paths : 0;
+	free(buffer.photons);
+	return share * (double)aims->paths;
+}
+
+void photon_room_refuse(const Scene *scene, const PhotonAims *aims,
+			const PhotonTraceOptions *options)
+{
+	static const double million = 1e6, giga = 1e9;
+	const PhotonSettings *settings = &scene->settings.photons;
+	double photons = photon_room_forecast(scene, aims, options);
+	if (options->diag)
+		diag_error(options->diag, settings->where,
+			   "%.0f million paths would leave about %.0f million photons, which take "
+			   "%.0f GB of memory; here are %.1f GB, for %.0f million",
+			   (double)aims->paths / million, photons / million,
+			   photons * bytes_of_photon(settings) / giga, memory_most() / giga,
+			   (double)photon_room(scene) / million);
+}

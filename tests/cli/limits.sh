@@ -1,0 +1,33 @@
+#!/bin/sh
+# Numbers that ask for more memory than there is are refused at once, with what they would take.
+. "$SOURCES/tests/cli/common.sh"
+
+# refused TEXT WORD...: status 1 at once, no picture, and these words.
+refused()
+{
+	text=$1
+	shift
+	rm -f never.png
+	timeout 20 "$COGNAC" "$@" +Onever.png >out 2>err
+	got=$?
+	[ "$got" = 1 ] || fail "cognac $*: status $got, not 1"
+	grep -q "$text" err || fail "cognac $*: '$text' is not told: $(cat err)"
+	[ ! -e never.png ] || fail "cognac $*: a picture is left"
+}
+
+refused '^cognac: error: a picture of 1000000 x 1000000 pixels takes [0-9]* GB of memory; here are' \
+	ball.pov +W1000000 +H1000000
+refused '^cognac: error: --passes wants a whole number from 1 to 1000000000, not 2000000000' \
+	caustic.pov --passes 2000000000
+
+# Of the paths at the ball nearly all leave a photon. The place is where the scene asks for them.
+sed 's/count 4000/count 2000000000 relaxation { constrained }/; 1s/$/ #version unofficial cognac 1.0;/' \
+	caustic.pov >many.pov
+refused '^many.pov:2:29: error: 2000 million paths would leave about 19[0-9][0-9] million photons' \
+	many.pov +W8 +H6
+grep -q 'which take 7[0-9][0-9] GB of memory; here are [0-9.]* GB, for [0-9]* million$' err ||
+	fail "memory is told as $(cat err)"
+refused '^many.pov:2:29: error: 2000 million paths' many.pov +W8 +H6 --passes 3
+sed 's/count 4000/spacing 1e-200/' caustic.pov >many.pov
+refused '^many.pov:2:29: error: 1000000000 million paths' many.pov +W8 +H6
+finish
