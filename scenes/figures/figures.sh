@@ -103,7 +103,7 @@ figure6()
 {
 	# shellcheck disable=SC2086
 	panels 6 '0 1 2 3' figures/prism.pov 2560000 +W480 +H360 $fine
-	panel 6-4 figures/prism.pov 4 500000 +W480 +H360 Declare=Radius=0.05
+	panel 6-4 figures/prism.pov 4 500000 +W480 +H360 Declare=Radius=0.035
 	draw 6-4 RGBA 6-4
 	draw 6-3 photons.parameter 6-e --exposure=1.5
 	draw 6-3 photons.edges 6-f --exposure=1.5 --range=3,6
@@ -144,7 +144,7 @@ figure9()
 	# shellcheck disable=SC2086
 	panel 9-wide rings.pov 3 "$(paths_of b)" +W480 +H360 $fine --load-photons 9-b.ply
 	draw 9-wide RGBA 9-wide
-	panel 9-4 figures/rings.pov 4 500000 +W480 +H360 Declare=Radius=0.08
+	panel 9-4 figures/rings.pov 4 500000 +W480 +H360 Declare=Radius=0.035
 	draw 9-4 RGBA 9-4
 	sheet 9 2444 402 "Declare=Stored_A=$(stored 9-a)" "Declare=Stored_B=$(stored 9-b)" \
 		"Declare=Stored_C=$(stored 9-c)"
