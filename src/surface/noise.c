@@ -19,6 +19,8 @@
 #include <stdint.h>
 #include <string.h>
 
+#include "base/pair.h"
+
 #include "surface/noise_tables.inc"
 
 enum { LATTICE_MASK = 4095, LATTICE_ORIGIN = 10000, PERLIN_MASK = 2047 };
@@ -61,9 +63,6 @@ static inline Cell lattice_cell(double x, double y, double z)
 	c.sz = fade(c.dz);
 	return c;
 }
-
-/* Two numbers side by side, which the compiler keeps in one register. */
-typedef double Pair __attribute__((vector_size(16)));
 
 #define INLINE static inline __attribute__((always_inline))
 
