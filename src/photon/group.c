@@ -5,45 +5,67 @@
 
 #include "base/arena.h"
 
-/* Radix sort by digits of sixteen bits, from the lowest; such in which no keys differ are left
- * out. */
-enum { BITS = 16, DIGITS = 1 << BITS };
+/* Radix sort by digits, from the lowest; such in which no keys differ are left out. Digits are
+ * short where few keys are sorted, and for many such that all places in use stay in the cache. */
+enum { SHORT = 8, LONG = 11, FEW = 4096 };
 
-static unsigned digit_of(uint64_t key, int shift) { return key >> shift & (DIGITS - 1); }
+typedef struct Entry {
+	uint64_t key;
+	uint32_t number;
+} Entry;
 
-/* Where each digit's numbers start. */
-static void count_digits(const uint64_t *keys, uint32_t count, int shift, uint32_t *starts)
+typedef struct Digit { int shift, bits; } Digit;
+
+static unsigned digit_of(uint64_t key, Digit digit)
 {
-	uint32_t sum = 0;
-	memset(starts, 0, sizeof *starts * DIGITS);
+	return key >> digit.shift & ((1u << digit.bits) - 1);
+}
+
+static void sort_by(const Entry *from, uint32_t count, Digit digit, Entry *to)
+{
+	uint32_t starts[1 << LONG], sum = 0;
+	memset(starts, 0, sizeof *starts << digit.bits);
 	for (uint32_t i = 0; i < count; i++)
-		starts[digit_of(keys[i], shift)]++;
-	for (int digit = 0; digit < DIGITS; digit++) {
-		uint32_t own = starts[digit];
-		starts[digit] = sum;
+		starts[digit_of(from[i].key, digit)]++;
+	for (unsigned d = 0; d < 1u << digit.bits; d++) {
+		uint32_t own = starts[d];
+		starts[d] = sum;
 		sum += own;
 	}
+	for (uint32_t i = 0; i < count; i++)
+		to[starts[digit_of(from[i].key, digit)]++] = from[i];
 }
 
 void photon_group(const uint64_t *keys, uint32_t count, uint32_t *order)
 {
 	uint64_t differ = 0;
-	uint32_t *starts = memory_alloc(sizeof *starts * DIGITS),
-		 *before = memory_alloc(sizeof *before * ((size_t)count + 1));
+	size_t size = sizeof(Entry) * ((size_t)count + 1);
+	Entry *entries = memory_alloc(size), *other = memory_alloc(size);
+	Digit digit = {0, count < FEW ? SHORT : LONG};
 	for (uint32_t i = 0; i < count; i++) {
 		differ |= keys[i] ^ keys[0];
-		order[i] = i;
+		entries[i] = (Entry){keys[i], i};
 	}
-	for (int shift = 0; shift < 64; shift += BITS) {
-		if (digit_of(differ, shift) == 0)
+	for (; digit.shift < 64; digit.shift += digit.bits) {
+		if (digit_of(differ, digit) == 0)
 			continue;
-		memcpy(before, order, sizeof *before * count);
-		count_digits(keys, count, shift, starts);
-		for (uint32_t i = 0; i < count; i++)
-			order[starts[digit_of(keys[before[i]], shift)]++] = before[i];
+		sort_by(entries, count, digit, other);
+		Entry *sorted = other;
+		other = entries;
+		entries = sorted;
 	}
-	free(starts);
-	free(before);
+	for (uint32_t i = 0; i < count; i++)
+		order[i] = entries[i].number;
+	free(entries);
+	free(other);
+}
+
+uint32_t photon_group_size(const uint32_t *keys, size_t stride, uint32_t count)
+{
+	uint32_t size = 1;
+	while (size < count && *(const uint32_t *)((const char *)keys + size * stride) == *keys)
+		size++;
+	return size;
 }
 
 uint64_t photon_kind(const Photon *photon)

@@ -7,6 +7,7 @@
 #include <string.h>
 
 #include "base/arena.h"
+#include "photon/group.h"
 
 static const float *row(const float *base, uint32_t stride, uint32_t i)
 {
@@ -90,19 +91,6 @@ static uint64_t spread(uint32_t x)
 	return (v | v << 2) & 0x1249249249249249;
 }
 
-typedef struct Code {
-	uint64_t code;
-	uint32_t index;
-} Code;
-
-static int compare_codes(const void *a, const void *b)
-{
-	const Code *x = a, *y = b;
-	if (x->code != y->code)
-		return x->code < y->code ? -1 : 1;
-	return x->index < y->index ? -1 : 1;
-}
-
 void photon_tree_morton(const float *position, uint32_t count, uint32_t stride, uint32_t *order)
 {
 	float lo[3] = {INFINITY, INFINITY, INFINITY}, size = 0;
@@ -118,15 +106,13 @@ void photon_tree_morton(const float *position, uint32_t count, uint32_t stride, 
 		}
 	}
 	float scale = size > 0 ? 2097151.0f / size : 0;
-	Code *codes = memory_alloc(sizeof(Code) * count);
+	uint64_t *codes = memory_alloc(sizeof *codes * ((size_t)count + 1));
 	for (uint32_t i = 0; i < count; i++) {
 		const float *p = row(position, stride, i);
-		codes[i] = (Code){0, i};
+		codes[i] = 0;
 		for (int k = 0; k < 3; k++)
-			codes[i].code |= spread((uint32_t)((p[k] - lo[k]) * scale)) << k;
+			codes[i] |= spread((uint32_t)((p[k] - lo[k]) * scale)) << k;
 	}
-	qsort(codes, count, sizeof(Code), compare_codes);
-	for (uint32_t i = 0; i < count; i++)
-		order[i] = codes[i].index;
+	photon_group(codes, count, order);
 	free(codes);
 }

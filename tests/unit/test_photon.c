@@ -131,18 +131,30 @@ static void test_map(void)
 }
 
 /* Photons of equal keys stand together, in their order; keys differ in high and low digits. */
-static void test_group(void)
+static void check_group(uint32_t count)
 {
-	enum { COUNT = 300 };
-	uint64_t keys[COUNT];
-	uint32_t order[COUNT];
-	for (uint32_t i = 0; i < COUNT; i++)
-		keys[i] = (uint64_t)(i * 7 % 5) << 50 | i * 13 % 11;
-	photon_group(keys, COUNT, order);
-	for (uint32_t i = 1; i < COUNT; i++) {
+	uint64_t *keys = malloc(sizeof *keys * count);
+	uint32_t *order = malloc(sizeof *order * count);
+	for (uint32_t i = 0; i < count; i++)
+		keys[i] = (uint64_t)(i * 7 % 5) << 62 | (uint64_t)(i * 13 % 11) << 30 | i * 17 % 19;
+	photon_group(keys, count, order);
+	for (uint32_t i = 1; i < count; i++) {
 		uint64_t before = keys[order[i - 1]], key = keys[order[i]];
 		CHECK(before < key || (before == key && order[i - 1] < order[i]));
 	}
+	free(keys);
+	free(order);
+}
+
+static void test_group(void)
+{
+	check_group(1);
+	check_group(300);
+	check_group(20000);
+	const uint32_t pairs[5][2] = {{3, 1}, {3, 2}, {3, 3}, {4, 4}, {3, 5}};
+	CHECK(photon_group_size(pairs[0], sizeof *pairs, 5) == 3);
+	CHECK(photon_group_size(pairs[0], sizeof *pairs, 2) == 2);
+	CHECK(photon_group_size(pairs[3], sizeof *pairs, 2) == 1);
 }
 
 int main(void)
