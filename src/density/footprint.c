@@ -55,14 +55,19 @@ static Vec3 normal_of(const PhotonMap *map, uint32_t photon)
 	return photon_normal(&map->photons[photon]);
 }
 
+static Box3 box_around(Vec3 at, Vec3 reach)
+{
+	return (Box3){vec3_sub(at, reach), vec3_add(at, reach)};
+}
+
 static Box3 disc_box(const Disc *disc, Vec3 normal)
 {
-	double r = disc->radius, n[3] = {normal.x, normal.y, normal.z}, reach[3];
-	for (int k = 0; k < 3; k++)
-		reach[k] = r * sqrt(fmax(0, 1 - n[k] * n[k])) + gather_thickness(r) * fabs(n[k]);
+	double r = disc->radius;
 	Vec3 at = vec3(disc->at[0], disc->at[1], disc->at[2]);
-	Vec3 e = vec3(reach[0], reach[1], reach[2]);
-	return (Box3){vec3_sub(at, e), vec3_add(at, e)};
+	Vec3 flat = vec3(r * sqrt(fmax(0, 1 - normal.x * normal.x)),
+			 r * sqrt(fmax(0, 1 - normal.y * normal.y)),
+			 r * sqrt(fmax(0, 1 - normal.z * normal.z)));
+	return box_around(at, vec3_add(flat, footprint_depth(r, normal)));
 }
 
 /* Trees and parts in one block. */
@@ -171,11 +176,6 @@ static Gathering begin(const FootprintMap *map, const GatherTask *task)
 {
 	return (Gathering){.sum = {.task = task}, .map = map,
 			   .window = window_around(task->point, map->least_width)};
-}
-
-static Box3 box_around(Vec3 at, Vec3 reach)
-{
-	return (Box3){vec3_sub(at, reach), vec3_add(at, reach)};
 }
 
 static void footprint_gather(const void *method, const GatherTask *task, GatherResult *result)

@@ -7,8 +7,7 @@
 #include "base/arena.h"
 #include "density/footprint_outline.h"
 
-/* No other triangle has b followed by a. */
-static bool is_border(const Sheet *s, uint32_t a, uint32_t b)
+bool footprint_mesh_is_border(const Sheet *s, uint32_t a, uint32_t b)
 {
 	for (uint32_t k = s->first[b]; k < s->first[b + 1]; k++)
 		if (s->ring[k] == a)
@@ -22,7 +21,7 @@ static EdgeList find_border(Sheet *s)
 	for (uint32_t t = 0; t < s->triangle_count; t++) {
 		for (int k = 0; k < 3; k++) {
 			uint32_t a = s->triangles[t][k], b = s->triangles[t][(k + 1) % 3];
-			if (is_border(s, a, b))
+			if (footprint_mesh_is_border(s, a, b))
 				list.all[list.count++] =
 					(Edge){a, b, s->triangles[t][(k + 2) % 3], {{0}}};
 		}

@@ -1,9 +1,8 @@
 /*
- * Points are put in one after another along a space-filling curve; each is looked for by a walk
- * from the last one's triangle, splits the triangle it falls into, and edges are flipped until
- * circumcircles are empty again (Lawson 1977). All lies in one triangle far larger than the
- * points' square. Whether a point is in a circumcircle is settled in whole numbers where double
- * precision leaves it open.
+ * Points are put in one after another; each is looked for by a walk from the last one's triangle,
+ * splits the triangle it falls into, and edges are flipped until circumcircles are empty again
+ * (Lawson 1977). All lies in one triangle far larger than the points' square. Whether a point is in
+ * a circumcircle is settled in whole numbers where double precision leaves it open.
  */
 #include "density/footprint_delaunay.h"
 
@@ -12,7 +11,6 @@
 #include <stdlib.h>
 
 #include "base/arena.h"
-#include "photon/tree.h"
 
 enum { NONE = -1 };
 /* Grid of the points, and how far out the corners of the triangle around them are. */
@@ -201,20 +199,6 @@ static Place *make_places(const double (*points)[2], uint32_t count)
 	return places;
 }
 
-static uint32_t *make_order(const Place *places, uint32_t count)
-{
-	float (*at)[3] = memory_alloc(sizeof *at * count);
-	uint32_t *order = memory_alloc(sizeof *order * count);
-	for (uint32_t i = 0; i < count; i++) {
-		at[i][0] = (float)places[i].x;
-		at[i][1] = (float)places[i].y;
-		at[i][2] = 0;
-	}
-	photon_tree_morton(at[0], count, sizeof *at, order);
-	free(at);
-	return order;
-}
-
 static Triangulation take_result(const Mesh *mesh, uint32_t count)
 {
 	Triangulation result = {memory_alloc(sizeof *result.corners * (size_t)mesh->count), 0};
@@ -236,14 +220,12 @@ Triangulation footprint_triangulate(const double (*points)[2], uint32_t count)
 	if (count < 3)
 		return (Triangulation){NULL, 0};
 	Mesh mesh = {.places = make_places(points, count), .count = 1, .room = 64};
-	mesh.cells = memory_alloc(sizeof *mesh.cells * (2 * (size_t)count + 1));
+	mesh.cells = memory_alloc_wide(sizeof *mesh.cells * (2 * (size_t)count + 1));
 	mesh.cells[0] = (Cell){{count, count + 1, count + 2}, {NONE, NONE, NONE}};
 	mesh.doubtful = memory_alloc(sizeof *mesh.doubtful * (size_t)mesh.room);
-	uint32_t *order = make_order(mesh.places, count);
 	for (uint32_t i = 0; i < count; i++)
-		insert(&mesh, order[i]);
+		insert(&mesh, i);
 	Triangulation result = take_result(&mesh, count);
-	free(order);
 	free(mesh.doubtful);
 	free(mesh.cells);
 	free(mesh.places);

@@ -13,9 +13,9 @@ typedef struct Triangulation {
 	uint32_t count;
 } Triangulation;
 
-/* Points are taken on a grid of 2^22 steps a side, on which the result is exact; of points at one
- * place the first in Morton order counts. Thin triangles along the hull may be missing. Fewer than
- * three points, or all in a line: no triangles. */
+/* Quick for points along a curve that fills the plane. Points are taken on a grid of 2^22 steps a
+ * side, on which the result is exact; of points at one place the first counts. Thin triangles along
+ * the hull may be missing. Fewer than three points, or all in a line: no triangles. */
 Triangulation footprint_triangulate(const double (*points)[2], uint32_t count);
 
 #endif

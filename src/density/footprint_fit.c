@@ -10,152 +10,199 @@
 #include <string.h>
 
 #include "base/cholesky.h"
+#include "base/pair.h"
 
 /* Without hues the last two terms are left out. */
 enum { TERMS = 7, HUE = 5, LEAST_SAMPLES = 6, ROUNDS = 2 };
 
+/* A sample's terms and, after them, its two places on the surface: one row of the system, in pairs,
+ * filled with zeros. */
+enum { PLAIN_PAIRS = 4, PAIRS = 5, WIDTH = 2 * PAIRS };
+
+typedef union Row {
+	double at[WIDTH];
+	Pair pairs[PAIRS];
+} Row;
+
 typedef struct Equations {
 	int terms;
-	double matrix[TERMS][TERMS], right[2][TERMS];
+	Row matrix[TERMS]; /* the right sides stand where a row has the places */
+	double solution[2][TERMS];
 } Equations;
 
-static void terms_of(const FitSample *sample, double terms[TERMS])
+static void set_row(const FitSample *sample, int terms, Row *row)
 {
 	const double *d = sample->d, hue = sample->hue;
-	terms[0] = d[0];
-	terms[1] = d[1];
-	terms[2] = 0.5 * d[0] * d[0];
-	terms[3] = d[0] * d[1];
-	terms[4] = 0.5 * d[1] * d[1];
-	terms[HUE] = hue;
-	terms[HUE + 1] = 0.5 * hue * hue;
+	*row = (Row){{d[0], d[1], 0.5 * d[0] * d[0], d[0] * d[1], 0.5 * d[1] * d[1]}};
+	if (terms > HUE) {
+		row->at[HUE] = hue;
+		row->at[HUE + 1] = 0.5 * hue * hue;
+	}
+	row->at[terms] = sample->x[0];
+	row->at[terms + 1] = sample->x[1];
 }
 
 /* Curvature is drawn to zero a little, so that six samples don't make it wild. */
 static const double ridge = 1e-4;
 
-static void make_equations(const FitSample *samples, const double *weights, int count, Equations *e)
+/* Sums over the samples of a row times one of its terms; pairs is a constant where this is
+ * inlined. */
+static inline void add_rows(const Row *rows, const double *weights, int count, int term, int pairs,
+			    Row *sums)
 {
-	*e = (Equations){.terms = e->terms};
-	double total = 0;
+	Pair sum[PAIRS] = {{0}};
 	for (int s = 0; s < count; s++) {
-		double terms[TERMS];
-		terms_of(&samples[s], terms);
-		total += weights[s];
-		for (int i = 0; i < e->terms; i++) {
-			for (int j = 0; j <= i; j++)
-				e->matrix[i][j] += weights[s] * terms[i] * terms[j];
-			for (int k = 0; k < 2; k++)
-				e->right[k][i] += weights[s] * terms[i] * samples[s].x[k];
-		}
+		double weighted = weights[s] * rows[s].at[term];
+		Pair both = {weighted, weighted};
+#pragma GCC unroll 5
+		for (int i = 0; i < pairs; i++)
+			sum[i] += both * rows[s].pairs[i];
 	}
+	memcpy(sums->pairs, sum, sizeof sum);
+}
+
+/* The upper half comes with the rows and is not used. */
+static void make_equations(const Row *rows, const double *weights, int count, Equations *e)
+{
+	double total = 0;
+	for (int i = 0; i < e->terms; i++) {
+		if (e->terms == HUE)
+			add_rows(rows, weights, count, i, PLAIN_PAIRS, &e->matrix[i]);
+		else
+			add_rows(rows, weights, count, i, PAIRS, &e->matrix[i]);
+	}
+	for (int s = 0; s < count; s++)
+		total += weights[s];
 	for (int i = 2; i < e->terms; i++)
-		e->matrix[i][i] += ridge * total;
+		e->matrix[i].at[i] += ridge * total;
 }
 
 /* Of a term, the least share that those before it must leave. */
 static const double singular = 1e-9;
 
-static bool solve(Equations *e)
+static inline bool solve_some(Equations *e, int terms)
 {
-	if (!cholesky_factor(e->matrix[0], TERMS, e->terms, singular))
+	if (!cholesky_factor(e->matrix[0].at, WIDTH, terms, singular))
 		return false;
 	for (int k = 0; k < 2; k++) {
-		cholesky_forward(e->matrix[0], TERMS, e->terms, e->right[k]);
-		cholesky_back(e->matrix[0], TERMS, e->terms, e->right[k]);
+		for (int i = 0; i < terms; i++)
+			e->solution[k][i] = e->matrix[i].at[terms + k];
+		cholesky_forward(e->matrix[0].at, WIDTH, terms, e->solution[k]);
+		cholesky_back(e->matrix[0].at, WIDTH, terms, e->solution[k]);
 	}
 	return true;
 }
 
+static bool solve(Equations *e)
+{
+	return e->terms == HUE ? solve_some(e, HUE) : solve_some(e, TERMS);
+}
+
+/* How many are less than a value, and how many no more. */
+static inline void rank_of(const Pair *v, int pairs, double value, int64_t *less, int64_t *up_to)
+{
+	Pair both = {value, value};
+	PairCount lower = {0}, not_over = {0};
+	for (int i = 0; i < pairs; i++) {
+		lower -= v[i] < both;
+		not_over -= v[i] <= both;
+	}
+	*less = lower[0] + lower[1];
+	*up_to = not_over[0] + not_over[1];
+}
+
+/* Ranks are counted without a branch that depends on the values, of those that are still between
+ * one that is too small and one that is too large. */
 double footprint_median(const double *values, int count)
 {
-	double v[FIT_MOST_SAMPLES];
-	memcpy(v, values, sizeof *v * (size_t)count);
-	int low = 0, high = count - 1, middle = count / 2;
-	while (low < high) { /* Hoare's selection */
-		double pivot = v[middle];
-		int i = low, j = high;
-		while (i <= j) {
-			while (v[i] < pivot)
-				i++;
-			while (pivot < v[j])
-				j--;
-			if (i > j)
-				break;
-			double swapped = v[i];
-			v[i++] = v[j];
-			v[j--] = swapped;
-		}
-		low = j < middle ? i : low;
-		high = middle < i ? j : high;
+	Pair v[FIT_MOST_SAMPLES / 2];
+	int pairs = (count + 1) / 2, middle = count / 2;
+	double low = -INFINITY, high = INFINITY;
+	v[pairs - 1] = (Pair){INFINITY, INFINITY};
+	memcpy(v, values, sizeof *values * (size_t)count);
+	for (int i = 0; i < count; i++) {
+		int64_t less, up_to;
+		if (!(values[i] > low && values[i] < high))
+			continue;
+		rank_of(v, pairs, values[i], &less, &up_to);
+		if (less <= middle && up_to > middle)
+			return values[i];
+		if (less > middle)
+			high = values[i];
+		else
+			low = values[i];
 	}
-	return v[middle];
+	return values[count / 2]; /* not finite */
 }
 
-/* Weights from squared distances, of which twice the median counts half. */
-static void weigh(const FitSample *samples, const double *distance2, int count, double *weights)
+/* Weights from squared distances, of which twice the median counts half, and from nearness in the
+ * parameters. */
+static void weigh(const double *near, const double *distance2, int count, double *weights)
 {
 	double scale = 2 * footprint_median(distance2, count);
-	for (int i = 0; i < count; i++) {
-		double d2 = samples[i].d[0] * samples[i].d[0] + samples[i].d[1] * samples[i].d[1];
-		double near = exp(-d2);
-		weights[i] = scale > 0 ? near * scale / (scale + distance2[i]) : near;
-	}
+	for (int i = 0; i < count; i++)
+		weights[i] = scale > 0 ? near[i] * scale / (scale + distance2[i]) : near[i];
 }
 
-static void set_residuals(const FitSample *samples, int count, double solution[2][TERMS],
-                          double residuals[][2], double *residual2)
+static void set_residuals(const Row *rows, int count, const Equations *e,
+			  double *residual2)
 {
 	for (int s = 0; s < count; s++) {
-		double terms[TERMS];
-		terms_of(&samples[s], terms);
-		for (int k = 0; k < 2; k++) {
-			residuals[s][k] = samples[s].x[k];
-			for (int i = 0; i < TERMS; i++)
-				residuals[s][k] -= solution[k][i] * terms[i];
+		const double *row = rows[s].at;
+		double x = row[e->terms], y = row[e->terms + 1];
+		for (int i = 0; i < e->terms; i++) {
+			x -= e->solution[0][i] * row[i];
+			y -= e->solution[1][i] * row[i];
 		}
-		residual2[s] = residuals[s][0] * residuals[s][0] +
-			       residuals[s][1] * residuals[s][1];
+		residual2[s] = x * x + y * y;
 	}
 }
 
+static double square_of(const double v[2]) { return v[0] * v[0] + v[1] * v[1]; }
+
 static double roughness_of(const FitSample *samples, const double *weights, int count,
-                           double residuals[][2])
+			   const double *residual2)
 {
 	double all = 0, left = 0;
 	for (int s = 0; s < count; s++) {
-		const double *x = samples[s].x, *e = residuals[s], w = weights[s];
-		all += w * (x[0] * x[0] + x[1] * x[1]);
-		left += w * (e[0] * e[0] + e[1] * e[1]);
+		all += weights[s] * square_of(samples[s].x);
+		left += weights[s] * residual2[s];
 	}
 	return all > 0 ? fmin(1, left / all) : 0;
 }
 
+static int terms_of(const FitSample *samples, int count)
+{
+	for (int s = 0; s < count; s++)
+		if (samples[s].hue != 0)
+			return TERMS;
+	return HUE;
+}
+
 bool footprint_fit(const FitSample *samples, int count, FootprintFit *fit)
 {
-	double weights[FIT_MOST_SAMPLES], distance2[FIT_MOST_SAMPLES],
-		residuals[FIT_MOST_SAMPLES][2];
-	Equations e = {.terms = HUE};
+	Row rows[FIT_MOST_SAMPLES];
+	double near[FIT_MOST_SAMPLES], weights[FIT_MOST_SAMPLES], distance2[FIT_MOST_SAMPLES];
 	if (count < LEAST_SAMPLES || count > FIT_MOST_SAMPLES)
 		return false;
+	Equations e = {.terms = terms_of(samples, count)};
 	for (int s = 0; s < count; s++) {
-		distance2[s] = samples[s].x[0] * samples[s].x[0] +
-			       samples[s].x[1] * samples[s].x[1];
-		if (samples[s].hue != 0)
-			e.terms = TERMS;
+		set_row(&samples[s], e.terms, &rows[s]);
+		near[s] = exp(-square_of(samples[s].d));
+		distance2[s] = square_of(samples[s].x);
 	}
 	for (int round = 0; round < ROUNDS; round++) {
-		weigh(samples, distance2, count, weights);
-		make_equations(samples, weights, count, &e);
+		weigh(near, distance2, count, weights);
+		make_equations(rows, weights, count, &e);
 		if (!solve(&e))
 			return false;
-		set_residuals(samples, count, e.right, residuals, distance2);
+		set_residuals(rows, count, &e, distance2);
 	}
 	for (int k = 0; k < 2; k++) {
-		fit->jacobian[k][0] = e.right[k][0];
-		fit->jacobian[k][1] = e.right[k][1];
-		fit->hue[k] = e.right[k][HUE];
+		fit->jacobian[k][0] = e.solution[k][0];
+		fit->jacobian[k][1] = e.solution[k][1];
+		fit->hue[k] = e.solution[k][HUE];
 	}
-	fit->roughness = roughness_of(samples, weights, count, residuals);
+	fit->roughness = roughness_of(samples, weights, count, distance2);
 	return true;
 }

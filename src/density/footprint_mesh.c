@@ -14,7 +14,7 @@ static Vec3 vec3_of(const float v[3]) { return vec3(v[0], v[1], v[2]); }
 
 static const Photon *photon_of(const Sheet *s, uint32_t vertex)
 {
-	return &s->task->map->photons[s->task->photons[s->order[vertex]]];
+	return &s->task->map->photons[s->task->photons[vertex]];
 }
 
 /* ---- chart ---- */
@@ -43,20 +43,9 @@ void footprint_mesh_chart(const Sheet *s, const float emitter[3], double out[2])
 	out[1] = chart->plane ? e.y : scale * vec3_dot(e, chart->v);
 }
 
-static uint32_t *make_order(const SheetTask *task)
-{
-	float (*emitters)[3] = memory_alloc(sizeof *emitters * task->count);
-	uint32_t *order = memory_alloc(sizeof *order * task->count);
-	for (uint32_t i = 0; i < task->count; i++)
-		memcpy(emitters[i], task->map->photons[task->photons[i]].emitter, sizeof *emitters);
-	photon_tree_morton(emitters[0], task->count, sizeof *emitters, order);
-	free(emitters);
-	return order;
-}
-
 double footprint_mesh_hue(const Sheet *s, uint32_t vertex)
 {
-	return s->task->hues ? s->task->hues[s->order[vertex]] : 0;
+	return s->task->hues ? s->task->hues[vertex] : 0;
 }
 
 /* Moves the vertex to where it were if it had the slice's hue; as patches shrink, less far. */
@@ -64,16 +53,15 @@ static void settle_hue(Sheet *s, uint32_t vertex)
 {
 	Vertex *v = &s->vertices[vertex];
 	double off = fmin(1, s->task->shrink) * (s->task->hue - footprint_mesh_hue(s, vertex));
-	v->hue_slope = vec3_of(s->task->hue_slopes[s->order[vertex]]);
+	v->hue_slope = vec3_of(s->task->hue_slopes[vertex]);
 	v->at = vec3_mad(v->at, off, v->hue_slope);
 }
 
 static void make_vertices(Sheet *s)
 {
 	s->chart = make_chart(s->task);
-	s->order = make_order(s->task);
 	s->count = s->task->count;
-	s->vertices = memory_alloc(sizeof *s->vertices * s->count);
+	s->vertices = memory_alloc_wide(sizeof *s->vertices * s->count);
 	for (uint32_t i = 0; i < s->count; i++) {
 		const Photon *p = photon_of(s, i);
 		Rgb flux = photon_flux(p);
@@ -174,10 +162,11 @@ static void make_triangles(Sheet *s)
 	s->triangles = all.corners;
 	s->triangle_count = all.count;
 	s->first = memory_alloc(sizeof *s->first * ((size_t)s->count + 2));
-	s->ring = memory_alloc(sizeof *s->ring * (3 * (size_t)all.count + 1));
+	s->ring = memory_alloc_wide(sizeof *s->ring * (3 * (size_t)all.count + 1));
 	make_rings(s, true);
 	drop_bridges(s);
 	make_rings(s, false);
+	footprint_mesh_link(s);
 }
 
 /* ---- density of photons in the chart ---- */
@@ -194,38 +183,13 @@ static void count_photons(Sheet *s)
 	}
 }
 
-void footprint_mesh_spread(const Sheet *s, double *values, int width, int rounds)
-{
-	static const double part = 1.0 / 24; /* an inner edge belongs to two triangles */
-	size_t size = sizeof *values * s->count * (size_t)width;
-	double *old = memory_alloc(size);
-	for (int round = 0; round < rounds; round++) {
-		memcpy(old, values, size);
-		for (uint32_t t = 0; t < s->triangle_count; t++) {
-			const uint32_t *corners = s->triangles[t];
-			for (int k = 0; k < 3; k++) {
-				size_t a = (size_t)corners[k] * (size_t)width,
-				       b = (size_t)corners[(k + 1) % 3] * (size_t)width;
-				for (int i = 0; i < width; i++) {
-					double change = part * (old[b + i] - old[a + i]);
-					values[a + i] += change;
-					values[b + i] -= change;
-				}
-			}
-		}
-	}
-	free(old);
-}
-
 static void spread_counts(Sheet *s)
 {
 	enum { ROUNDS = 32 };
-	double (*both)[2] = memory_alloc(sizeof *both * s->count);
-	for (uint32_t i = 0; i < s->count; i++) {
-		both[i][0] = s->vertices[i].count;
-		both[i][1] = s->vertices[i].area;
-	}
-	footprint_mesh_spread(s, both[0], 2, ROUNDS);
+	Pair *both = memory_alloc(sizeof *both * s->count);
+	for (uint32_t i = 0; i < s->count; i++)
+		both[i] = (Pair){s->vertices[i].count, s->vertices[i].area};
+	footprint_mesh_spread(s, both, 1, ROUNDS);
 	for (uint32_t i = 0; i < s->count; i++) {
 		s->vertices[i].count = both[i][0];
 		s->vertices[i].area = both[i][1];
@@ -246,10 +210,11 @@ void footprint_mesh_make(Sheet *s, const SheetTask *task)
 
 void footprint_mesh_free(Sheet *s)
 {
-	free(s->order);
 	free(s->vertices);
 	free(s->triangles);
 	free(s->first);
 	free(s->ring);
+	free(s->links.around);
+	free(s->links.more);
 	free(s->aims);
 }

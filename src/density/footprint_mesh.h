@@ -6,6 +6,7 @@
 
 #include <stdbool.h>
 
+#include "base/pair.h"
 #include "density/footprint_sheet.h"
 
 /* The chart is a plane picture of emitter space. */
@@ -33,16 +34,26 @@ typedef struct Chart {
 	Vec3 middle, u, v;
 } Chart;
 
+/* What footprint_mesh_spread goes along: an edge once for each of its triangles. Each vertex has
+ * the first eight of its ring twice, or itself where it has fewer; `more` is what else there is. */
+enum { LINKS = 8 };
+
+typedef struct Links {
+	uint32_t (*around)[LINKS];
+	struct Link { uint32_t to, from; double weight; } *more;
+	uint32_t more_count;
+} Links;
+
 typedef struct Sheet {
 	const SheetTask *task;
 	Chart chart;
-	uint32_t *order; /* vertices stand along a curve: their photons' numbers in the task */
-	Vertex *vertices;
+	Vertex *vertices; /* of the task's photons */
 	uint32_t count;
 	uint32_t (*triangles)[3];
 	uint32_t triangle_count;
 	/* Neighbours of vertex i: ring[first[i]] to ring[first[i + 1] - 1]. */
 	uint32_t *first, *ring;
+	Links links;
 	PatchList *patches;
 	uint32_t first_patch; /* of this sheet's */
 	/* Of each of its patches, when these shrink: towards which vertex, and how many photons it
@@ -59,12 +70,8 @@ void footprint_mesh_free(Sheet *sheet);
 void footprint_mesh_chart(const Sheet *sheet, const float emitter[3], double out[2]);
 /* Whether a triangle reaches over a gap of the sheet or along its border. */
 bool footprint_mesh_bridges(const Sheet *sheet, const uint32_t triangle[3]);
-
-/*
- * Neighbours exchange a part of their values, again and again, so that the sums stay. values:
- * `width` numbers a vertex.
- */
-void footprint_mesh_spread(const Sheet *sheet, double *values, int width, int rounds);
+/* Whether only one triangle has the edge from a to b: none has b followed by a. */
+bool footprint_mesh_is_border(const Sheet *sheet, uint32_t a, uint32_t b);
 
 /* The photon's hue; 0 where light is not parted. */
 double footprint_mesh_hue(const Sheet *sheet, uint32_t vertex);
@@ -80,6 +87,13 @@ static inline Vec3 footprint_moved(const Vertex *v, double du, double dv)
 {
 	return vec3_mad(vec3_scale(v->slope[0], du), dv, v->slope[1]);
 }
+
+/* footprint_spread.c: neighbours exchange a part of their values, again and again, so that the sums
+ * stay. values: one pair a vertex, or two; rounds: even. */
+enum { SPREAD_MOST = 2 };
+void footprint_mesh_spread(const Sheet *sheet, Pair *values, int pairs, int rounds);
+/* Sets the links from the rings. */
+void footprint_mesh_link(Sheet *sheet);
 
 /* footprint_slopes.c: how the map stretches, turns and shears around each vertex, and by hue when
  * that is asked for. */

@@ -26,7 +26,7 @@ typedef struct Making {
 	double reach;
 	FootprintHues hues;
 	FootprintParts parts;
-	float *trust;  /* of each photon of the map */
+	float *trust, *brightness; /* of each photon of the map */
 	Strangers *strangers;
 } Making;
 
@@ -52,58 +52,35 @@ static bool is_parted(const PhotonMap *map, const uint32_t *photons, uint32_t co
 	return 2 * pure > looks && red > looks / 5 && red < looks - looks / 5;
 }
 
-/* A photon of a kind, and its hue; sorted by slices of hues. */
-enum { SLICES = 4 };
-
-typedef struct Hued {
-	float hue;
-	int slice;
-	uint32_t photon;
-} Hued;
-
-static int compare_hued(const void *a, const void *b)
+static void set_brightness(void *data, long photon, int thread)
 {
-	const Hued *x = a, *y = b;
-	if (x->slice != y->slice)
-		return x->slice - y->slice;
-	return (x->photon > y->photon) - (x->photon < y->photon);
-}
-
-static double brightness(const PhotonMap *map, uint32_t photon)
-{
-	Rgb flux = photon_flux(&map->photons[photon]);
-	return (flux.r + flux.g + flux.b) / 3.0;
+	(void)thread;
+	Making *m = data;
+	Rgb flux = photon_flux(&m->map->photons[photon]);
+	m->brightness[photon] = flux.r + flux.g + flux.b;
 }
 
 /* Photons near one another in emitter space would have the same flux if they had all hues: the mean
  * of some dozens tells it. */
-static Hued *find_hues(const Making *m, const uint32_t *photons, uint32_t count)
+static void set_hues(const Making *m, const uint32_t *photons, uint32_t count, float *hues)
+{
+	double mean = 0;
+	for (uint32_t i = 0; i < count; i++)
+		mean += m->brightness[photons[i]] / 3.0 / count;
+	for (uint32_t i = 0; i < count; i++) {
+		Rgb flux = rgb_scale(photon_flux(&m->map->photons[photons[i]]),
+				     (float)(mean > 0 ? 1 / mean : 0));
+		hues[i] = (float)((footprint_hue_of(&m->hues, flux) + 0.5) / FOOTPRINT_HUES);
+	}
+}
+
+static void find_hues(const Making *m, const uint32_t *photons, uint32_t count, float *hues)
 {
 	enum { WINDOW = 128 };
-	Hued *hued = memory_alloc(sizeof *hued * count);
-	float (*emitters)[3] = memory_alloc(sizeof *emitters * count);
-	uint32_t *order = memory_alloc(sizeof *order * count);
-	for (uint32_t i = 0; i < count; i++)
-		memcpy(emitters[i], m->map->photons[photons[i]].emitter, sizeof *emitters);
-	photon_tree_morton(emitters[0], count, sizeof *emitters, order);
-	for (uint32_t from = 0; from < count; from += WINDOW) {
-		uint32_t to = count - from < 2 * WINDOW ? count : from + WINDOW;
-		double mean = 0;
-		for (uint32_t i = from; i < to; i++)
-			mean += brightness(m->map, photons[order[i]]) / (to - from);
-		for (uint32_t i = from; i < to; i++) {
-			uint32_t photon = photons[order[i]];
-			Rgb flux = rgb_scale(photon_flux(&m->map->photons[photon]),
-					     (float)(mean > 0 ? 1 / mean : 0));
-			double hue = (footprint_hue_of(&m->hues, flux) + 0.5) / FOOTPRINT_HUES;
-			hued[i] = (Hued){(float)hue, 0, photon};
-		}
-		if (to == count)
-			break;
+	for (uint32_t from = 0, some; from < count; from += some) {
+		some = count - from < 2 * WINDOW ? count - from : WINDOW;
+		set_hues(m, photons + from, some, hues + from);
 	}
-	free(emitters);
-	free(order);
-	return hued;
 }
 
 /* What sheets are told of photons of parted light. */
@@ -111,55 +88,83 @@ typedef struct Parted {
 	uint32_t *photons;
 	float *hues;
 	float (*slopes)[3];
+	uint32_t *slices; /* by hue, each a sheet */
 } Parted;
 
-static Parted parted_of(const Hued *hued, uint32_t count)
+static Parted make_parted(uint32_t count)
 {
-	Parted parted = {memory_alloc(sizeof *parted.photons * count),
-	                 memory_alloc(sizeof *parted.hues * count),
-	                 memory_alloc(sizeof *parted.slopes * count)};
+	return (Parted){memory_alloc(sizeof(uint32_t) * count), memory_alloc(sizeof(float) * count),
+			memory_alloc(sizeof(float[3]) * count),
+			memory_alloc(sizeof(uint32_t) * count)};
+}
+
+static void free_parted(Parted *parted)
+{
+	free(parted->photons);
+	free(parted->hues);
+	free(parted->slopes);
+	free(parted->slices);
+}
+
+enum { SLICES = 4 };
+
+static Parted sort_by_slice(const Parted *all, uint32_t count)
+{
+	Parted sorted = make_parted(count);
+	uint64_t *keys = memory_alloc(sizeof *keys * count);
+	uint32_t *order = memory_alloc(sizeof *order * count);
+	for (uint32_t i = 0; i < count; i++)
+		keys[i] = (uint64_t)(all->hues[i] * SLICES);
+	photon_group(keys, count, order);
 	for (uint32_t i = 0; i < count; i++) {
-		parted.photons[i] = hued[i].photon;
-		parted.hues[i] = hued[i].hue;
+		sorted.photons[i] = all->photons[order[i]];
+		sorted.hues[i] = all->hues[order[i]];
+		memcpy(sorted.slopes[i], all->slopes[order[i]], sizeof *sorted.slopes);
+		sorted.slices[i] = (uint32_t)keys[order[i]];
 	}
-	return parted;
+	free(keys);
+	free(order);
+	return sorted;
+}
+
+static SheetTask make_task(const Making *m, uint32_t kind, const uint32_t *photons, uint32_t count)
+{
+	return (SheetTask){.map = m->map,
+	                   .photons = photons,
+	                   .count = count,
+	                   .shrink = m->shrink,
+	                   .strangers = m->strangers,
+	                   .kind = kind};
 }
 
 static void add_slice(Making *m, uint32_t kind, const Parted *parted, uint32_t first,
-		      uint32_t count, int slice)
+		      uint32_t count)
 {
-	SheetTask task = {.map = m->map,
-	                  .photons = parted->photons + first,
-	                  .count = count,
-	                  .shrink = m->shrink,
-	                  .hues = parted->hues + first,
-	                  .hue_slopes = (const float (*)[3])(parted->slopes + first),
-	                  .hue = (slice + 0.5) / SLICES,
-	                  .hue_width = 1.0 / SLICES,
-	                  .strangers = m->strangers,
-	                  .kind = kind};
+	SheetTask task = make_task(m, kind, parted->photons + first, count);
+	task.hues = parted->hues + first;
+	task.hue_slopes = (const float (*)[3])(parted->slopes + first);
+	task.hue = (parted->slices[first] + 0.5) / SLICES;
+	task.hue_width = 1.0 / SLICES;
 	add_sheet(m, &task);
 }
 
 static void add_parted(Making *m, uint32_t kind, const uint32_t *photons, uint32_t count)
 {
-	Hued *hued = find_hues(m, photons, count);
-	for (uint32_t i = 0; i < count; i++)
-		hued[i].slice = (int)(hued[i].hue * SLICES);
-	qsort(hued, count, sizeof *hued, compare_hued);
-	Parted parted = parted_of(hued, count);
-	SheetTask all = {
-		.map = m->map, .photons = parted.photons, .count = count, .hues = parted.hues};
-	footprint_sheet_hue_slopes(&all, parted.slopes);
-	for (uint32_t first = 0, last; first < count; first = last) {
-		for (last = first + 1; last < count && hued[last].slice == hued[first].slice;)
-			last++;
-		add_slice(m, kind, &parted, first, last - first, hued[first].slice);
+	Parted all = make_parted(count);
+	memcpy(all.photons, photons, sizeof *photons * count);
+	find_hues(m, photons, count, all.hues);
+	SheetTask whole = make_task(m, kind, photons, count);
+	whole.hues = all.hues;
+	whole.strangers = NULL;
+	footprint_sheet_hue_slopes(&whole, all.slopes);
+	Parted parted = sort_by_slice(&all, count);
+	free_parted(&all);
+	for (uint32_t first = 0, size; first < count; first += size) {
+		const uint32_t *slices = parted.slices + first;
+		size = photon_group_size(slices, sizeof *slices, count - first);
+		add_slice(m, kind, &parted, first, size);
 	}
-	free(parted.photons);
-	free(parted.hues);
-	free(parted.slopes);
-	free(hued);
+	free_parted(&parted);
 }
 
 static void add_kind(Making *m, uint32_t kind, const uint32_t *photons, uint32_t count)
@@ -167,12 +172,7 @@ static void add_kind(Making *m, uint32_t kind, const uint32_t *photons, uint32_t
 	if (is_parted(m->map, photons, count)) {
 		add_parted(m, kind, photons, count);
 	} else {
-		SheetTask task = {.map = m->map,
-		                  .photons = photons,
-		                  .count = count,
-		                  .shrink = m->shrink,
-		                  .strangers = m->strangers,
-		                  .kind = kind};
+		SheetTask task = make_task(m, kind, photons, count);
 		add_sheet(m, &task);
 	}
 }
@@ -186,7 +186,7 @@ static double share_left(const Making *m, const Neighbor *near, int count)
 {
 	double all = 0, left = 0;
 	for (int i = 0; i < count; i++) {
-		double flux = brightness(m->map, near[i].index);
+		double flux = m->brightness[near[i].index];
 		all += flux;
 		left += (1 - m->trust[near[i].index]) * flux;
 	}
@@ -244,7 +244,7 @@ static double shrink_of(const EstimatorSetup *setup)
 }
 
 /* Photons sorted by kind, and the kinds' numbers. */
-static void sort_photons(const PhotonMap *map, uint32_t *photons, uint32_t *kinds)
+static void sort_by_kind(const PhotonMap *map, uint32_t *photons, uint32_t *kinds)
 {
 	uint64_t *keys = memory_alloc(sizeof *keys * ((size_t)map->count + 1));
 	for (uint32_t i = 0; i < map->count; i++)
@@ -255,17 +255,37 @@ static void sort_photons(const PhotonMap *map, uint32_t *photons, uint32_t *kind
 	free(keys);
 }
 
+/* Photons of a kind along a curve that fills emitter space. */
+static void sort_by_place(const PhotonMap *map, uint32_t *photons, uint32_t count)
+{
+	float (*emitters)[3] = memory_alloc(sizeof *emitters * count);
+	uint32_t *order = memory_alloc(sizeof *order * count),
+		 *before = memory_alloc(sizeof *before * count);
+	memcpy(before, photons, sizeof *before * count);
+	for (uint32_t i = 0; i < count; i++)
+		memcpy(emitters[i], map->photons[photons[i]].emitter, sizeof *emitters);
+	photon_tree_morton(emitters[0], count, sizeof *emitters, order);
+	for (uint32_t i = 0; i < count; i++)
+		photons[i] = before[order[i]];
+	free(emitters);
+	free(order);
+	free(before);
+}
+
 static void add_sheets(Making *m)
 {
-	size_t room = (size_t)m->map->count + 1;
-	uint32_t *photons = memory_alloc(sizeof *photons * room),
-		 *kinds = memory_alloc(sizeof *kinds * room);
-	sort_photons(m->map, photons, kinds);
+	uint32_t count = m->map->count, size;
+	uint32_t *photons = memory_alloc(sizeof *photons * ((size_t)count + 1)),
+		 *kinds = memory_alloc(sizeof *kinds * ((size_t)count + 1));
+	sort_by_kind(m->map, photons, kinds);
+	for (uint32_t first = 0; first < count; first += size) {
+		size = photon_group_size(kinds + first, sizeof *kinds, count - first);
+		sort_by_place(m->map, photons + first, size);
+	}
 	m->strangers = footprint_strangers_create(m->map, photons, kinds);
-	for (uint32_t first = 0, end; first < m->map->count; first = end) {
-		for (end = first + 1; end < m->map->count && kinds[end] == kinds[first];)
-			end++;
-		add_kind(m, kinds[first], photons + first, end - first);
+	for (uint32_t first = 0; first < count; first += size) {
+		size = photon_group_size(kinds + first, sizeof *kinds, count - first);
+		add_kind(m, kinds[first], photons + first, size);
 	}
 	footprint_strangers_destroy(m->strangers);
 	free(photons);
@@ -280,9 +300,12 @@ FootprintParts footprint_parts(const EstimatorSetup *setup)
 	            .disc_shrink = disc_shrink_of(setup),
 	            .reach = gather_reach(map, DISC_COUNT),
 	            .hues = footprint_hues(),
-	            .trust = memory_alloc(sizeof(float) * (map->count + 1))};
+	            .trust = memory_alloc(sizeof(float) * (map->count + 1)),
+	            .brightness = memory_alloc(sizeof(float) * (map->count + 1))};
+	parallel_for(map->count, 4096, set_brightness, &m);
 	add_sheets(&m);
 	add_discs(&m);
 	free(m.trust);
+	free(m.brightness);
 	return m.parts;
 }

@@ -7,6 +7,8 @@
 #include <math.h>
 #include <stdbool.h>
 
+#include "density/gather.h"
+
 /* ---- Bézier's triangles ---- */
 
 /* Number of the control point of corners i and j. */
@@ -47,20 +49,23 @@ double footprint_patch_extent(const Patch *patch)
 	return sqrt(most);
 }
 
+Vec3 footprint_depth(double size, Vec3 normal)
+{
+	double depth = gather_thickness(size);
+	return vec3(depth * fabs(normal.x), depth * fabs(normal.y), depth * fabs(normal.z));
+}
+
 Box3 footprint_patch_box(const Patch *patch, Vec3 normal)
 {
-	static const double thickness = 0.25;
 	Box3 box = box3_empty();
 	for (int i = 0; i < 6; i++) {
 		const float *c = patch->control[i];
 		Vec3 at = vec3(c[0], c[1], c[2]);
 		box = box3_union(box, (Box3){at, at});
 	}
-	double reach = thickness * footprint_patch_extent(patch);
 	Vec3 s = vec3(0.5 * fabs(patch->sweep[0]), 0.5 * fabs(patch->sweep[1]),
 		      0.5 * fabs(patch->sweep[2]));
-	Vec3 more = vec3_add(s, vec3(reach * fabs(normal.x), reach * fabs(normal.y),
-				     reach * fabs(normal.z)));
+	Vec3 more = vec3_add(s, footprint_depth(footprint_patch_extent(patch), normal));
 	return (Box3){vec3_sub(box.lo, more), vec3_add(box.hi, more)};
 }
 

@@ -22,7 +22,10 @@ typedef struct Patch {
 /* The part of a patch between three points, given as barycentric coordinates of the corners; may
  * lie beyond the corners. Flux stays. */
 void footprint_patch_cut(const Patch *patch, const double corners[3][3], Patch *out);
-/* All of it and a little more along the normal. */
+/* How far from a footprint of this size along the normal points may lie that see it, as
+ * gather_accepts has it: the sides of a box from there. */
+Vec3 footprint_depth(double size, Vec3 normal);
+/* All of it and its depth. */
 Box3 footprint_patch_box(const Patch *patch, Vec3 normal);
 /* How far the longest side reaches. */
 double footprint_patch_extent(const Patch *patch);

@@ -21,12 +21,15 @@
 static void spread_flux(Sheet *s)
 {
 	enum { ROUNDS = 24 };
-	double (*flux)[3] = memory_alloc(sizeof *flux * s->count);
+	Pair(*flux)[2] = memory_alloc(sizeof *flux * s->count);
+	for (uint32_t i = 0; i < s->count; i++) {
+		const double *f = s->vertices[i].flux;
+		flux[i][0] = (Pair){f[0], f[1]};
+		flux[i][1] = (Pair){f[2], 0};
+	}
+	footprint_mesh_spread(s, flux[0], 2, ROUNDS);
 	for (uint32_t i = 0; i < s->count; i++)
-		memcpy(flux[i], s->vertices[i].flux, sizeof *flux);
-	footprint_mesh_spread(s, flux[0], 3, ROUNDS);
-	for (uint32_t i = 0; i < s->count; i++)
-		memcpy(s->vertices[i].flux, flux[i], sizeof *flux);
+		memcpy(s->vertices[i].flux, flux[i], sizeof s->vertices[i].flux);
 	free(flux);
 }
 
@@ -147,7 +150,7 @@ static void add_parts(Sheet *s, const Patch *patch, const Corner corners[3], dou
 		double share = area * parts[i];
 		for (int k = 0; k < 3; k++)
 			part.sweep[k] *= (float)fmin(1, shrink);
-		part.photon = s->task->photons[s->order[v - s->vertices]];
+		part.photon = s->task->photons[v - s->vertices];
 		part.flux = rgb((float)(share * v->light[0]), (float)(share * v->light[1]),
 				(float)(share * v->light[2]));
 		add_patch(s, &part, v, share * photon_density(v));
@@ -159,7 +162,7 @@ static void add_parts(Sheet *s, const Patch *patch, const Corner corners[3], dou
 static void draw(Sheet *s, const Corner corners[3], bool straight)
 {
 	uint32_t vertex = (uint32_t)(corners[0].vertex - s->vertices);
-	Patch patch = {.photon = s->task->photons[s->order[vertex]]};
+	Patch patch = {.photon = s->task->photons[vertex]};
 	double area = 0.5 * footprint_cross(corners[0].e, corners[1].e, corners[2].e);
 	Vec3 sweep = vec3(0, 0, 0);
 	for (int i = 0; i < 3; i++) {
@@ -291,7 +294,7 @@ void footprint_sheet(const SheetTask *task, PatchList *patches, float *trust)
 	set_light(&s);
 	draw_all(&s);
 	for (uint32_t i = 0; i < s.count; i++)
-		trust[s.order[i]] = (float)(s.vertices[i].trust * s.vertices[i].kept);
+		trust[i] = (float)(s.vertices[i].trust * s.vertices[i].kept);
 	footprint_mesh_free(&s);
 }
 
@@ -302,6 +305,6 @@ void footprint_sheet_hue_slopes(const SheetTask *task, float (*hue_slopes)[3])
 	footprint_slopes_fit(&s);
 	footprint_slopes_spread_hues(&s);
 	for (uint32_t i = 0; i < s.count; i++)
-		to_floats(s.vertices[i].hue_slope, hue_slopes[s.order[i]]);
+		to_floats(s.vertices[i].hue_slope, hue_slopes[i]);
 	footprint_mesh_free(&s);
 }

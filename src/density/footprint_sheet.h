@@ -13,7 +13,7 @@ typedef struct Strangers Strangers;
 
 typedef struct SheetTask {
 	const PhotonMap *map;
-	const uint32_t *photons; /* numbers in the map */
+	const uint32_t *photons; /* numbers in the map; along a curve that fills emitter space */
 	uint32_t count;
 	double shrink; /* patches are drawn so much smaller, towards each of their photons */
 	/* Of parted light: hues of the photons, 0..1, how the place where one lands changes with

@@ -14,23 +14,35 @@
 
 enum { RING_MOST = 40 };
 
+/* Which vertices are known: a table with open places. */
+enum { TABLE_BITS = 7, TABLE = 1 << TABLE_BITS };
+static const uint32_t free_place = UINT32_MAX;
+
+/* Whether it was not there. */
+static bool put(uint32_t table[TABLE], uint32_t vertex)
+{
+	uint32_t place = vertex * 2654435769u >> (32 - TABLE_BITS);
+	while (table[place] != free_place && table[place] != vertex)
+		place = (place + 1) % TABLE;
+	bool is_new = table[place] == free_place;
+	table[place] = vertex;
+	return is_new;
+}
+
 /* Neighbours and theirs, each once, without the vertex. */
 static int find_neighbors(const Sheet *s, uint32_t vertex, int rings, uint32_t *found)
 {
+	uint32_t table[TABLE];
+	memset(table, 0xff, sizeof table);
+	put(table, vertex);
 	int count = 1, from = 0;
 	found[0] = vertex;
 	for (int r = 0; r < rings; r++) {
 		int to = count;
-		for (int i = from; i < to; i++) {
-			for (uint32_t k = s->first[found[i]]; k < s->first[found[i] + 1]; k++) {
-				uint32_t next = s->ring[k];
-				bool known = false;
-				for (int j = 0; j < count && !known; j++)
-					known = found[j] == next;
-				if (!known && count < RING_MOST)
-					found[count++] = next;
-			}
-		}
+		for (int i = from; i < to; i++)
+			for (uint32_t k = s->first[found[i]]; k < s->first[found[i] + 1]; k++)
+				if (count < RING_MOST && put(table, s->ring[k]))
+					found[count++] = s->ring[k];
 		from = to;
 	}
 	memmove(found, found + 1, sizeof *found * (size_t)(count - 1));
@@ -76,8 +88,8 @@ static double stretch_of(const Sheet *s, const Vertex *v, uint32_t vertex)
 	int count = 0;
 	for (uint32_t k = s->first[vertex]; k < s->first[vertex + 1] && count < MOST; k++) {
 		const Vertex *next = &s->vertices[s->ring[k]];
-		ratios[count++] = vec3_distance(next->at, v->at) /
-				  hypot(next->e[0] - v->e[0], next->e[1] - v->e[1]);
+		double du = next->e[0] - v->e[0], dv = next->e[1] - v->e[1];
+		ratios[count++] = vec3_distance(next->at, v->at) / sqrt(du * du + dv * dv);
 	}
 	return count > 0 ? footprint_median(ratios, count) : 0;
 }
@@ -115,18 +127,19 @@ static void fit_vertex(void *data, long item, int thread)
 void footprint_slopes_spread_hues(Sheet *s)
 {
 	enum { ROUNDS = 12 };
-	double (*sums)[4] = memory_alloc(sizeof *sums * s->count);
+	Pair(*sums)[2] = memory_alloc(sizeof *sums * s->count);
 	for (uint32_t i = 0; i < s->count; i++) {
 		const Vertex *v = &s->vertices[i];
 		Vec3 slope = vec3_scale(v->hue_slope, v->trust);
-		memcpy(sums[i], (double[4]){slope.x, slope.y, slope.z, v->trust}, sizeof *sums);
+		sums[i][0] = (Pair){slope.x, slope.y};
+		sums[i][1] = (Pair){slope.z, v->trust};
 	}
-	footprint_mesh_spread(s, sums[0], 4, ROUNDS);
+	footprint_mesh_spread(s, sums[0], 2, ROUNDS);
 	for (uint32_t i = 0; i < s->count; i++) {
-		double total = sums[i][3];
+		double total = sums[i][1][1];
 		if (total > 1e-3)
 			s->vertices[i].hue_slope = vec3_scale(
-				vec3(sums[i][0], sums[i][1], sums[i][2]), 1 / total);
+				vec3(sums[i][0][0], sums[i][0][1], sums[i][1][0]), 1 / total);
 	}
 	free(sums);
 }

@@ -20,8 +20,8 @@ static void add_link(Links *links, uint32_t *room, uint32_t to, uint32_t from, d
 	links->more[links->more_count++] = (struct Link){to, from, weight};
 }
 
-/* A ring has what follows the vertex: along inner edges twice, in the place of both triangles; along
- * a border edge one of the two is the other end's. */
+/* A ring has what follows the vertex, each for two triangles; of a border edge one of the two is
+ * the other end's. */
 void footprint_mesh_link(Sheet *s)
 {
 	Links *links = &s->links;

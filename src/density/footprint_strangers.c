@@ -12,6 +12,7 @@
 
 #include "base/arena.h"
 #include "base/parallel.h"
+#include "photon/group.h"
 
 /* ---- the light's photons ---- */
 
@@ -25,14 +26,21 @@ struct Strangers {
 	} *fields; /* by light */
 };
 
-enum { LIGHTS = UINT16_MAX + 1 };
-
-static void add_field(Strangers *s, uint16_t light, uint32_t first, uint32_t end)
+/* Photons sorted by kind are sorted by light. */
+static void make_fields(Strangers *s)
 {
-	TreePoints points = {
-		.position = s->emitters[first], .count = end - first, .stride = sizeof *s->emitters};
-	s->fields[light].tree = photon_tree_create(&points);
-	s->fields[light].first = first;
+	uint32_t lights = (uint32_t)s->map->light_count, first = 0;
+	uint32_t *sizes = memory_alloc(sizeof *sizes * ((size_t)lights + 1));
+	memset(sizes, 0, sizeof *sizes * lights);
+	for (uint32_t i = 0; i < s->map->count; i++)
+		sizes[s->map->photons[i].light]++;
+	for (uint32_t light = 0; light < lights; first += sizes[light++]) {
+		TreePoints points = {.position = s->emitters[first],
+		                     .count = sizes[light],
+		                     .stride = sizeof *s->emitters};
+		s->fields[light] = (struct Field){photon_tree_create(&points), first};
+	}
+	free(sizes);
 }
 
 Strangers *footprint_strangers_create(const PhotonMap *map, const uint32_t *photons,
@@ -41,22 +49,16 @@ Strangers *footprint_strangers_create(const PhotonMap *map, const uint32_t *phot
 	Strangers *s = memory_alloc(sizeof *s);
 	*s = (Strangers){map, photons, kinds,
 			 memory_alloc(sizeof *s->emitters * ((size_t)map->count + 1)),
-			 memory_alloc(sizeof *s->fields * LIGHTS)};
-	memset(s->fields, 0, sizeof *s->fields * LIGHTS);
+			 memory_alloc(sizeof *s->fields * ((size_t)map->light_count + 1))};
 	for (uint32_t i = 0; i < map->count; i++)
 		memcpy(s->emitters[i], map->photons[photons[i]].emitter, sizeof *s->emitters);
-	for (uint32_t first = 0, end; first < map->count; first = end) {
-		uint16_t light = map->photons[photons[first]].light;
-		for (end = first + 1; end < map->count && map->photons[photons[end]].light == light;)
-			end++;
-		add_field(s, light, first, end);
-	}
+	make_fields(s);
 	return s;
 }
 
 void footprint_strangers_destroy(Strangers *s)
 {
-	for (int i = 0; i < LIGHTS; i++)
+	for (int i = 0; i < s->map->light_count; i++)
 		photon_tree_destroy(s->fields[i].tree);
 	free(s->fields);
 	free(s->emitters);
@@ -82,7 +84,7 @@ static void look_around(void *data, long item, int thread)
 	const Look *look = data;
 	const SheetTask *task = look->sheet->task;
 	const Strangers *s = task->strangers;
-	const Photon *p = &s->map->photons[task->photons[look->sheet->order[item]]];
+	const Photon *p = &s->map->photons[task->photons[item]];
 	const struct Field *field = &s->fields[p->light];
 	NearestQuery query = {
 		{p->emitter[0], p->emitter[1], p->emitter[2]}, INFINITY, AROUND, NULL};
@@ -97,17 +99,24 @@ static void look_around(void *data, long item, int thread)
 	look->counts[item] = count;
 }
 
-static int compare_beside(const void *a, const void *b)
+/* By kind and stranger; of one stranger the vertices stay in their order. The list is replaced. */
+static Beside *sort_beside(Beside *list, uint32_t count)
 {
-	const Beside *x = a, *y = b;
-	if (x->kind != y->kind)
-		return x->kind < y->kind ? -1 : 1;
-	if (x->stranger != y->stranger)
-		return x->stranger < y->stranger ? -1 : 1;
-	return (x->vertex > y->vertex) - (x->vertex < y->vertex);
+	uint64_t *keys = memory_alloc(sizeof *keys * ((size_t)count + 1));
+	uint32_t *order = memory_alloc(sizeof *order * ((size_t)count + 1));
+	Beside *sorted = memory_alloc(sizeof *sorted * ((size_t)count + 1));
+	for (uint32_t i = 0; i < count; i++)
+		keys[i] = (uint64_t)list[i].kind << 32 | list[i].stranger;
+	photon_group(keys, count, order);
+	for (uint32_t i = 0; i < count; i++)
+		sorted[i] = list[order[i]];
+	free(keys);
+	free(order);
+	free(list);
+	return sorted;
 }
 
-/* Sorted by kind and stranger; the block is the caller's to free. */
+/* The block is the caller's to free. */
 static Beside *list_beside(const Sheet *sheet, uint32_t *count)
 {
 	Look look = {sheet, memory_alloc(sizeof *look.beside * sheet->count),
@@ -119,8 +128,7 @@ static Beside *list_beside(const Sheet *sheet, uint32_t *count)
 		for (int k = 0; k < look.counts[i]; k++)
 			list[(*count)++] = look.beside[i][k];
 	free(look.counts);
-	qsort(list, *count, sizeof *list, compare_beside);
-	return list;
+	return sort_beside(list, *count);
 }
 
 /* ---- gaps ---- */
@@ -183,10 +191,9 @@ static bool lands_in_gaps(const Kind *kind)
 static void look_at_kind(const Sheet *sheet, const Beside *list, uint32_t count, bool *gaps)
 {
 	Kind kind = {.inside = memory_alloc(sizeof *kind.inside * count)};
-	for (uint32_t first = 0, end; first < count; first = end) {
-		for (end = first + 1; end < count && list[end].stranger == list[first].stranger;)
-			end++;
-		uint32_t t = triangle_with(sheet, list + first, end - first);
+	for (uint32_t first = 0, size; first < count; first += size) {
+		size = photon_group_size(&list[first].stranger, sizeof *list, count - first);
+		uint32_t t = triangle_with(sheet, list + first, size);
 		kind.all++;
 		if (t == NONE)
 			continue;
@@ -202,10 +209,9 @@ void footprint_strangers_find(const Sheet *sheet, bool *gaps)
 {
 	uint32_t count;
 	Beside *list = list_beside(sheet, &count);
-	for (uint32_t first = 0, end; first < count; first = end) {
-		for (end = first + 1; end < count && list[end].kind == list[first].kind;)
-			end++;
-		look_at_kind(sheet, list + first, end - first, gaps);
+	for (uint32_t first = 0, size; first < count; first += size) {
+		size = photon_group_size(&list[first].kind, sizeof *list, count - first);
+		look_at_kind(sheet, list + first, size, gaps);
 	}
 	free(list);
 }

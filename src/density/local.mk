@@ -11,7 +11,7 @@ libdensity_a_SOURCES = src/density/estimator.h src/density/estimator.c src/densi
 	src/density/footprint_parts.h src/density/footprint_parts.c \
 	src/density/footprint_patch.h src/density/footprint_patch.c \
 	src/density/footprint_sheet.h src/density/footprint_sheet.c \
-	src/density/footprint_slopes.c \
+	src/density/footprint_slopes.c src/density/footprint_spread.c \
 	src/density/footprint_strangers.h src/density/footprint_strangers.c \
 	src/density/footprint_tree.h src/density/footprint_tree.c \
 	src/density/window.h src/density/window.c
