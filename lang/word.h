@@ -31,6 +31,9 @@ typedef enum Word {
 
 /* W_NONE when text is not reserved. */
 Word word_find(const char *text, size_t length);
+/* The word that a misspelt text seems to mean: one slip away, or two in a long one (a character
+ * too many, missing, another, or two exchanged). W_NONE when there is none. */
+Word word_guess(const char *text, bool extension);
 const char *word_text(Word word);
 WordClass word_class(Word word);
 

@@ -9,7 +9,7 @@
 #include "parser/grammar.h"
 #include "parser/state.h"
 
-static const double NEWEST_VERSION = 3.7;
+static const double NEWEST_VERSION = 3.7, NEWEST_EXTENSION = 1;
 
 static void report_unpaired(Reader *reader, const char *name, const char *partner, Location where)
 {
@@ -306,6 +306,10 @@ static void run_version(Reader *reader)
 		diag_error(reader->context.diag, where, "#version takes a number");
 	else if (!unofficial)
 		set_version(reader, value_to_float(frame.value), where);
+	else if (value_to_float(frame.value) > NEWEST_EXTENSION)
+		diag_warning(reader->context.diag, where,
+			     "version %g of the extension is newer than %g, the newest known here",
+			     value_to_float(frame.value), NEWEST_EXTENSION);
 	reader->version_given = true;
 	declare_end(reader, &frame);
 }

@@ -1,5 +1,8 @@
 /* Identifiers with values: their token for the grammar, elements of arrays. */
+#include <string.h>
+
 #include "lang/array.h"
+#include "lang/word.h"
 #include "parser/grammar.h"
 #include "parser/state.h"
 
@@ -48,6 +51,23 @@ int identifier_subscripts(Reader *reader, double subscripts[8])
 	return count;
 }
 
+void identifier_undeclared(Reader *reader, const Name *name, Location where)
+{
+	Diag *diag = reader->context.diag;
+	bool cognac = reader->context.cognac;
+	Word word = word_find(name->text, strlen(name->text)), guess;
+	if (word != W_NONE && word_class(word) == WORD_EXTENSION && !cognac)
+		diag_error(diag, where,
+			   "'%s' is not declared; it is a word of the extension, which '#version "
+			   "unofficial cognac 1.0;' turns on",
+			   name->text);
+	else if ((guess = word_guess(name->text, cognac)) != W_NONE)
+		diag_error(diag, where, "'%s' is not declared; is '%s' meant?", name->text,
+			   word_text(guess));
+	else
+		diag_error(diag, where, "'%s' is not declared", name->text);
+}
+
 Value *identifier_resolve(Reader *reader, Name *name, Location where, bool report)
 {
 	double subscripts[SUBSCRIPT_LIMIT];
@@ -55,7 +75,7 @@ Value *identifier_resolve(Reader *reader, Name *name, Location where, bool repor
 	Value *value = symbol ? symbol_value(symbol) : NULL;
 	if (!value) {
 		if (report)
-			diag_error(reader->context.diag, where, "'%s' is not declared", name->text);
+			identifier_undeclared(reader, name, where);
 		lexer_skip_group(reader, '[', ']');
 		return NULL;
 	}

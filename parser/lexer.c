@@ -117,7 +117,7 @@ void lexer_skip_group(Reader *reader, int open, int close)
 static int undeclared(Reader *reader, const Name *name, Semantic *value, Location where)
 {
 	if (!reader->frame || !reader->frame->recovering)
-		diag_error(reader->context.diag, where, "'%s' is not declared", name->text);
+		identifier_undeclared(reader, name, where);
 	lexer_skip_group(reader, '[', ']');
 	lexer_skip_group(reader, '(', ')');
 	lexer_skip_group(reader, '{', '}');

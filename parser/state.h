@@ -169,6 +169,8 @@ void lexer_skip_group(Reader *reader, int open, int close);
 /* The variable or array element that a name and the subscripts after it stand for; NULL when
  * undeclared (report says whether that is reported). */
 Value *identifier_resolve(Reader *reader, Name *name, Location where, bool report);
+/* Reports that a name is not declared, and what may be meant by it. */
+void identifier_undeclared(Reader *reader, const Name *name, Location where);
 /* The grammar's token for a value. */
 int identifier_token(Reader *reader, Value value, Semantic *out);
 /* The subscripts that follow, into subscripts; their number, -1 after a report. */
