@@ -168,6 +168,17 @@ const Estimator *build_estimator(Context *context, const Node *block)
 	return named ? named : arena_copy(context->builder->arena, &estimator, sizeof estimator);
 }
 
+/* Reports a block's word without its braces, and passes over the method that follows, so that it is
+ * no second error. */
+static void skip_unbraced(Cursor *cursor)
+{
+	EstimatorKind kind;
+	Word word = cursor_peek_word(cursor);
+	cursor_expected(cursor, "'{'");
+	if (find_method(word, &kind) || word == W_constrained || word == W_plain)
+		cursor_next(cursor);
+}
+
 /* ---- relaxation and progressive ---- */
 
 /* In parameter space, then in world space; one number stands for both. */
@@ -342,7 +353,11 @@ static bool accept_global_other(Cursor *cursor, PhotonSettings *settings)
 		settings->relaxation = read_relaxation(cursor->context, block);
 	} else if (cursor_accept_word(cursor, W_relaxation)) {
 		settings->relaxation = relaxation_default();
-		settings->relaxation.on = cursor_optional_bool(cursor);
+		if (cursor_peek_word(cursor) == W_constrained ||
+		    cursor_peek_word(cursor) == W_plain)
+			skip_unbraced(cursor);
+		else
+			settings->relaxation.on = cursor_optional_bool(cursor);
 	} else if ((block = cursor_accept_block(cursor, W_progressive))) {
 		settings->progressive = read_progressive(cursor->context, block);
 	} else if ((block = cursor_accept_block(cursor, W_estimator))) {
@@ -351,7 +366,7 @@ static bool accept_global_other(Cursor *cursor, PhotonSettings *settings)
 			settings->estimator = *estimator;
 	} else if (cursor_accept_word(cursor, W_estimator) ||
 		   cursor_accept_word(cursor, W_progressive)) {
-		cursor_expected(cursor, "'{'");
+		skip_unbraced(cursor);
 	} else {
 		return false;
 	}
@@ -367,7 +382,7 @@ static void check_coordinates(Context *context, const Node *block, const PhotonS
 		diag_error(context->diag, block->where,
 			   "constrained relaxation needs emitter_coordinates");
 	if (settings->estimator.kind == ESTIMATOR_FOOTPRINT)
-		diag_error(context->diag, block->where,
+		diag_error(context->diag, settings->estimator.where,
 			   "the estimator footprint needs emitter_coordinates");
 }
 
@@ -414,10 +429,14 @@ void build_photons_object(Context *context, const Node *block, Object *object)
 			object->flags.photons_pass_through = take_switch(&cursor);
 		else if (cursor_accept_word(&cursor, W_relaxation))
 			object->flags.relaxation = take_switch(&cursor);
+		else if ((inner = cursor_accept_block(&cursor, W_relaxation)))
+			diag_error(context->diag, inner->where,
+				   "an object's relaxation is on or off; global_settings { photons "
+				   "{ } } says how");
 		else if ((inner = cursor_accept_block(&cursor, W_estimator)))
 			object->estimator = build_estimator(context, inner);
 		else if (cursor_accept_word(&cursor, W_estimator))
-			cursor_expected(&cursor, "'{'");
+			skip_unbraced(&cursor);
 		else
 			cursor_unexpected(&cursor);
 	}

@@ -199,6 +199,9 @@ PhotonMap *photon_trace(const Scene *scene, const PhotonTraceOptions *options,
 	double wall = clock_wall(), cpu = clock_cpu();
 	Arena *arena = arena_create();
 	PhotonAims aims = photon_aims(scene, options, arena);
+	if (aims.count == 0 && options->diag && options->pass == 0)
+		diag_warning(options->diag, scene->settings.photons.where,
+			     "no photons: no object is a target that a light sends any to");
 	Job job = {.scene = scene,
 		   .options = options,
 		   .aims = &aims,
