@@ -19,6 +19,7 @@ typedef struct IniReader {
 	const char *section; /* wanted; or NULL */
 	int line;
 	bool active;         /* lines at hand count */
+	bool met;            /* the wanted section */
 } IniReader;
 
 /* Cuts a comment off and blanks at both ends; returns the first character. */
@@ -104,6 +105,7 @@ static bool read_line(IniReader *reader, char *line)
 		}
 		*end = 0;
 		reader->active = reader->section && strcasecmp(line + 1, reader->section) == 0;
+		reader->met |= reader->active;
 		return true;
 	}
 	return !reader->active || read_words(reader, line);
@@ -156,6 +158,9 @@ bool options_read_ini(Options *options, const char *name, Diag *diag)
 	bool good = read_lines(&reader, file);
 	options->ini_depth--;
 	fclose(file);
+	if (good && reader.section && !reader.met)
+		diag_warning(diag, (Location){0}, "%s has no section [%s]", reader.path,
+			     reader.section);
 	return good;
 }
 

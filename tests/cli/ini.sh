@@ -30,6 +30,7 @@ size '9 7' size.ini +O-
 size '16 12' 'size.ini[big]' +O-
 size '16 12' 'size.ini[BIG]' +O-
 size '9 7' 'size.ini[none]'
+grep -qx 'cognac: warning: size.ini has no section \[none\]' err || fail "no word of a missing section: $(cat err)"
 size '3 2' 'size.ini[other]'
 size '5 7' size.ini +W5
 size '9 7' +W5 size.ini
