@@ -94,9 +94,10 @@ for moved in 0 1 2; do
 	shoot Declare=Moved=$moved Declare=Half=1 --load-photons $moved.ply
 	near "two methods on map $moved" 0.05
 done
-# The picture's right half is the floor that keeps its photons.
+# The picture's right half is the floor that keeps its photons. Kernels are no narrower than pixels, so what a photon's move
+# within one changes is small, but more than ten times what the other half may.
 for moved in 1 2; do
 	awk "BEGIN { exit !($(rmse 0.ppm $moved.ppm 56) < 1e-5) }" || fail "photons that shall stay have moved"
-	awk "BEGIN { exit !($(rmse 0.ppm $moved.ppm 0) > 1e-3) }" || fail "no photon has moved"
+	awk "BEGIN { exit !($(rmse 0.ppm $moved.ppm 0) > 1e-4) }" || fail "no photon has moved"
 done
 finish
