@@ -8,7 +8,7 @@
 #include <unistd.h>
 
 #include "cli/options.h"
-#include "image/file.h"
+#include "base/output_file.h"
 
 enum { LINE_SIZE = 4096, MAXIMUM_DEPTH = 16 };
 

@@ -3,9 +3,9 @@
 #include <inttypes.h>
 
 #include "base/clock.h"
+#include "base/output_file.h"
 #include "base/parallel.h"
 #include "config.h"
-#include "image/file.h"
 
 void statistics_add(FrameStatistics *sum, const FrameStatistics *frame)
 {

@@ -9,8 +9,8 @@
 #include <unistd.h>
 
 #include "base/arena.h"
+#include "base/output_file.h"
 #include "image/decode.h"
-#include "image/file.h"
 
 #define MAXIMUM_CHANNELS 256
 #define MAXIMUM_VALUES (1L << 30)

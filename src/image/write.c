@@ -4,9 +4,9 @@
 #include <stdlib.h>
 
 #include "base/arena.h"
+#include "base/output_file.h"
 #include "image/encode.h"
 #include "image/exr.h"
-#include "image/file.h"
 
 typedef struct Writer {
 	const char *extension;

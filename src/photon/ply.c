@@ -11,9 +11,9 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <unistd.h>
 
 #include "base/arena.h"
+#include "base/output_file.h"
 #include "photon/map.h"
 
 _Static_assert(__BYTE_ORDER__ == __ORDER_LITTLE_ENDIAN__,
@@ -75,50 +75,40 @@ static PlyConstraint unpack_constraint(const Photon *photon, const PhotonConstra
 	return (PlyConstraint){{u[0], u[1], u[2]}, {(float)v.x, (float)v.y, (float)v.z}};
 }
 
-static bool write_photon(const PhotonMap *map, uint32_t i, FILE *file)
+static void write_photon(const PhotonMap *map, uint32_t i, FILE *file)
 {
 	PlyPhoton row = unpack(&map->photons[i]);
-	if (fwrite(&row, sizeof row, 1, file) != 1)
-		return false;
+	fwrite(&row, sizeof row, 1, file);
 	if (!map->constraints)
-		return true;
+		return;
 	PlyConstraint constraint = unpack_constraint(&map->photons[i], &map->constraints[i]);
-	return fwrite(&constraint, sizeof constraint, 1, file) == 1;
+	fwrite(&constraint, sizeof constraint, 1, file);
 }
 
-static bool write_all(const PhotonMap *map, FILE *file)
+/* Whether all got there the stream knows. */
+static void write_all(const PhotonMap *map, FILE *file)
 {
 	fprintf(file, "%s%selement vertex %u\n%s%s", first_lines,
 		map->relaxed ? relaxed_line : "", map->count, photon_properties,
 		map->constraints ? constraint_properties : "");
 	fprintf(file, "element light %d\n%send_header\n", map->light_count, light_properties);
-	for (uint32_t i = 0; i < map->count; i++)
-		if (!write_photon(map, i, file))
-			return false;
+	for (uint32_t i = 0; i < map->count && !ferror(file); i++)
+		write_photon(map, i, file);
 	for (int i = 0; i < map->light_count; i++) {
 		const PhotonLight *l = &map->lights[i];
 		PlyLight row = {(double)l->paths, l->parameter_area,
 				(uint8_t)l->parameter_dimensions};
-		if (fwrite(&row, sizeof row, 1, file) != 1)
-			return false;
+		fwrite(&row, sizeof row, 1, file);
 	}
-	return true;
 }
 
 bool photon_map_write(const PhotonMap *map, const char *path, Diag *diag)
 {
-	size_t length = strlen(path) + 32;
-	char *beside = memory_alloc(length);
-	snprintf(beside, length, "%s.%ld.part", path, (long)getpid());
-	FILE *file = fopen(beside, "wb");
-	bool done = file && write_all(map, file);
-	done = file && fclose(file) == 0 && done && rename(beside, path) == 0;
-	if (!done) {
-		diag_fail(diag, "cannot write the photon map '%s': %s", path, strerror(errno));
-		unlink(beside);
-	}
-	free(beside);
-	return done;
+	OutputFile file;
+	if (!output_file_open(&file, path, diag))
+		return false;
+	write_all(map, file.stream);
+	return output_file_commit(&file, diag);
 }
 
 /* ---- reading: what was written here, property for property ---- */

@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "base/arena.h"
+#include "base/output_file.h"
 
 typedef enum PixelState { PIXEL_EMPTY, PIXEL_STARTED, PIXEL_FINAL } PixelState;
 
@@ -233,38 +234,27 @@ typedef struct StateHeader {
 static const char state_magic[16] = "cognac film 2\n";
 enum { STATE_BYTE_ORDER = 0x01020304 };
 
-static bool write_state(const Film *film, uint64_t key, FILE *file)
+static void write_state(const Film *film, uint64_t key, FILE *file)
 {
 	StateHeader header = {
 		.key = key, .width = film->width, .height = film->height, .layers = film->layers,
 		.byte_order = STATE_BYTE_ORDER, .passes = film->passes, .photons = film->photons,
 	};
 	memcpy(header.magic, state_magic, sizeof header.magic);
-	bool good = fwrite(&header, sizeof header, 1, file) == 1 &&
-		fwrite(film->state, 1, pixel_count(film), file) == pixel_count(film);
-	for (int i = 0; i < FILM_LAYER_COUNT && good; i++)
+	fwrite(&header, sizeof header, 1, file);
+	fwrite(film->state, 1, pixel_count(film), file);
+	for (int i = 0; i < FILM_LAYER_COUNT; i++)
 		if (film->planes[i])
-			good = fwrite(film->planes[i], 1, plane_bytes(film, i), file) ==
-			       plane_bytes(film, i);
-	return good;
+			fwrite(film->planes[i], 1, plane_bytes(film, i), file);
 }
 
 bool film_save(const Film *film, const char *path, uint64_t key, Diag *diag)
 {
-	size_t length = strlen(path) + sizeof ".part";
-	char *part = memory_alloc(length);
-	snprintf(part, length, "%s.part", path);
-	FILE *file = fopen(part, "wb");
-	bool good = file && write_state(film, key, file);
-	if (file && fclose(file) != 0)
-		good = false;
-	good = good && rename(part, path) == 0;
-	if (!good) {
-		diag_fail(diag, "cannot write the state of the render to '%s'", path);
-		remove(part);
-	}
-	free(part);
-	return good;
+	OutputFile file;
+	if (!output_file_open(&file, path, diag))
+		return false;
+	write_state(film, key, file.stream);
+	return output_file_commit(&file, diag);
 }
 
 static bool header_is_sane(const StateHeader *header)

@@ -5,9 +5,9 @@
 #include <stdlib.h>
 #include <unistd.h>
 
+#include "base/output_file.h"
 #include "check.h"
 #include "image/exr.h"
-#include "image/file.h"
 #include "image/read.h"
 #include "image/write.h"
 

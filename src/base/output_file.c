@@ -1,4 +1,4 @@
-#include "image/file.h"
+#include "base/output_file.h"
 
 #include <errno.h>
 #include <stdlib.h>

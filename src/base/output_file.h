@@ -3,8 +3,8 @@
  * renamed when complete.
  * "-" is standard output, which gets everything at the end.
  */
-#ifndef IMAGE_FILE_H
-#define IMAGE_FILE_H
+#ifndef BASE_OUTPUT_FILE_H
+#define BASE_OUTPUT_FILE_H
 
 #include <stdio.h>
 
@@ -16,7 +16,8 @@ typedef struct OutputFile {
 } OutputFile;
 
 bool output_file_open(OutputFile *file, const char *path, Diag *diag);
-/* Closes and puts it in place; false on failure, reported, and nothing is left behind. */
+/* Closes and puts it in place. False when anything that was written did not get there, reported, and
+ * nothing is left behind. */
 bool output_file_commit(OutputFile *file, Diag *diag);
 /* Closes and removes it. */
 void output_file_abandon(OutputFile *file);
