@@ -5,6 +5,8 @@
  */
 #include "geom/height_field.h"
 
+#include "geom/ray_box.h"
+
 enum { MAX_LEVELS = 32 };
 
 typedef struct Level {
@@ -147,13 +149,9 @@ typedef struct Walk {
 	HitList *out;
 } Walk;
 
-/* Comparisons pass over the NaN of a ray in the slab's face. */
 static bool meets_slab(double lo, double hi, double origin, double inverse, double range[2])
 {
-	double a = (lo - origin) * inverse, b = (hi - origin) * inverse;
-	double near = a < b ? a : b, far = a < b ? b : a;
-	range[0] = near > range[0] ? near : range[0];
-	range[1] = far < range[1] ? far : range[1];
+	ray_slabs_clip(lo, hi, origin, inverse, range);
 	return range[0] <= range[1] + 1e-12 * fabs(range[1]);
 }
 

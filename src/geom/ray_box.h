@@ -1,4 +1,4 @@
-/* The slab test of a ray against world boxes, for many boxes a ray. Internal to geom. */
+/* The slab test of a ray against world boxes, for many boxes a ray. */
 #ifndef GEOM_RAY_BOX_H
 #define GEOM_RAY_BOX_H
 
@@ -15,12 +15,12 @@ static inline RaySlabs ray_slabs(const Ray *ray)
 	return (RaySlabs){ray->origin, vec3(1 / d.x, 1 / d.y, 1 / d.z), ray->tmin, ray->tmax};
 }
 
-/* A NaN, from a ray in the very plane of a slab's side, leaves the interval as it is: comparing
- * with it is false, so these comparisons stand as they do. */
+/* What a slab leaves of the interval t. A NaN, from a ray in the very plane of the slab's side, leaves
+ * it as it is: comparing with it is false, so these comparisons stand as they do. */
 static inline void ray_slabs_clip(double lo, double hi, double origin, double inverse, double t[2])
 {
 	double a = (lo - origin) * inverse, b = (hi - origin) * inverse;
-	double near = b < a ? b : a, far = b < a ? a : b;
+	double near = inverse < 0 ? b : a, far = inverse < 0 ? a : b;
 	t[0] = near > t[0] ? near : t[0];
 	t[1] = far < t[1] ? far : t[1];
 }

@@ -21,6 +21,7 @@
 #include "geom/csg.h"
 #include "geom/mesh.h"
 #include "geom/plain.h"
+#include "geom/ray_box.h"
 
 enum {
 	LOOP_SHAPES = 6, /* so many bounded shapes are asked one by one; measured: Embree wins from
@@ -68,25 +69,15 @@ static void query_set_inverse(Query *query)
 	query->inverse = vec3(1 / d.x, 1 / d.y, 1 / d.z);
 }
 
-/* What a pair of faces leaves of the range. Comparisons are false for NaN (a ray within a face's
- * plane): that pair does not cut. */
-static inline void cut_range(double lo, double hi, double origin, double inverse, double range[2])
-{
-	double a = (lo - origin) * inverse, b = (hi - origin) * inverse;
-	double near = inverse < 0 ? b : a, far = inverse < 0 ? a : b;
-	range[0] = near > range[0] ? near : range[0];
-	range[1] = far < range[1] ? far : range[1];
-}
-
 /* The parameter range in which the ray is inside the box, cut with its own; false when empty. */
 static bool box_range(const Query *query, const Box3 *box, double range[2])
 {
 	Vec3 o = query->ray.origin;
 	range[0] = query->ray.tmin;
 	range[1] = query->ray.tmax;
-	cut_range(box->lo.x, box->hi.x, o.x, query->inverse.x, range);
-	cut_range(box->lo.y, box->hi.y, o.y, query->inverse.y, range);
-	cut_range(box->lo.z, box->hi.z, o.z, query->inverse.z, range);
+	ray_slabs_clip(box->lo.x, box->hi.x, o.x, query->inverse.x, range);
+	ray_slabs_clip(box->lo.y, box->hi.y, o.y, query->inverse.y, range);
+	ray_slabs_clip(box->lo.z, box->hi.z, o.z, query->inverse.z, range);
 	return range[0] <= range[1];
 }
 

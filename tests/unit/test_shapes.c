@@ -3,6 +3,7 @@
 #include "geom/cone.h"
 #include "geom/disc.h"
 #include "geom/plane.h"
+#include "geom/ray_box.h"
 #include "geom/sphere.h"
 #include "geom/torus.h"
 #include "tests/unit/shape_check.h"
@@ -208,6 +209,23 @@ static void test_clip(Arena *arena)
 	CHECK(!shape_nearest(&shape, &ray, &hit));
 }
 
+/* A ray in the very plane of a box's side meets the box, whichever side it is and whatever sign the
+ * zero of its direction has. */
+static void test_ray_in_side(void)
+{
+	Box3 box = {vec3(0, 0, 0), vec3(1, 1, 1)};
+	for (int i = 0; i < 8; i++) {
+		double side = i & 1, zero = i & 2 ? -0.0 : 0.0, x = i & 4 ? 1 : -1;
+		Ray ray = {vec3(0.5 - 2 * x, side, 0.5), vec3(x, zero, zero), 0, INFINITY};
+		RaySlabs slabs = ray_slabs(&ray);
+		double range[2];
+		ray_slabs_range(&slabs, &box, range);
+		CHECK(ray_slabs_hit(&slabs, &box));
+		CHECK_NEAR(range[0], 1.5, 1e-12);
+		CHECK_NEAR(range[1], 2.5, 1e-12);
+	}
+}
+
 int main(void)
 {
 	Arena *arena = arena_create();
@@ -219,6 +237,7 @@ int main(void)
 	test_torus(arena);
 	test_uv(arena);
 	test_clip(arena);
+	test_ray_in_side();
 	arena_destroy(arena);
 	return CHECK_RESULT();
 }
