@@ -4,9 +4,9 @@
 #include <string.h>
 
 #include "base/random.h"
+#include "geom/ray_box.h"
 #include "geom/sphere.h"
 #include "photon/autostop.h"
-#include "scene/accel.h"
 #include "scene/visit.h"
 
 /* ---- targets: the primitives of one object together ---- */
@@ -106,16 +106,6 @@ static bool shoots(const Light *light, const Surface *surface)
 		(light->photons_reflection && surface->photons_reflection));
 }
 
-/* The objects that the light stands in. */
-static void find_inside(const Scene *scene, Vec3 place, InsideStack *inside)
-{
-	const Shape *around[INSIDE_MAX];
-	int count = accel_containing(scene->accel, place, around, INSIDE_MAX);
-	for (int i = 0; i < count; i++)
-		if (!inside_has(inside, around[i]->owner))
-			inside_cross(inside, around[i]->owner);
-}
-
 static PhotonAim make_aim(const Scene *scene, int light, const Target *target, uint64_t seed)
 {
 	PhotonAim aim = {
@@ -128,17 +118,8 @@ static PhotonAim make_aim(const Scene *scene, int light, const Target *target, u
 	aim.ball.reach = photon_autostop(scene, &aim);
 	aim.ball.half = vec3_scale(vec3_sub(target->box.hi, target->box.lo), 0.5);
 	aim.region = emission_region(&scene->lights[light], &aim.ball);
-	find_inside(scene, scene->lights[light].position, &aim.inside);
+	inside_start(&aim.inside, scene->accel, scene->lights[light].position);
 	return aim;
-}
-
-/* What two opposite faces leave of a range; a ray in a face makes a NaN, which leaves all. */
-static inline void cut_range(double lo, double hi, double origin, double direction, double range[2])
-{
-	double inverse = 1 / direction, a = (lo - origin) * inverse, b = (hi - origin) * inverse;
-	double near = inverse < 0 ? b : a, far = inverse < 0 ? a : b;
-	range[0] = near > range[0] ? near : range[0];
-	range[1] = far < range[1] ? far : range[1];
 }
 
 bool photon_aim_hits(const PhotonAim *aim, const Emission *emission)
@@ -147,9 +128,9 @@ bool photon_aim_hits(const PhotonAim *aim, const Emission *emission)
 		return true;
 	double range[2] = {0, INFINITY};
 	Vec3 o = emission->origin, d = emission->direction;
-	cut_range(aim->box.lo.x, aim->box.hi.x, o.x, d.x, range);
-	cut_range(aim->box.lo.y, aim->box.hi.y, o.y, d.y, range);
-	cut_range(aim->box.lo.z, aim->box.hi.z, o.z, d.z, range);
+	ray_slabs_clip(aim->box.lo.x, aim->box.hi.x, o.x, 1 / d.x, range);
+	ray_slabs_clip(aim->box.lo.y, aim->box.hi.y, o.y, 1 / d.y, range);
+	ray_slabs_clip(aim->box.lo.z, aim->box.hi.z, o.z, 1 / d.z, range);
 	return range[0] <= range[1] * (1 + 1e-9) + 1e-12;
 }
 

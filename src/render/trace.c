@@ -110,23 +110,30 @@ static int hue_count(const Interior *interior)
 	return count < FEWEST_HUES ? FEWEST_HUES : count > MOST_HUES ? MOST_HUES : count;
 }
 
-static Rgb hue_share(int i, int count)
+static Rgb hue_color(int i, int count)
 {
-	Rgb total = {0, 0, 0}, own = interior_hue_color((i + 0.5) / count);
-	for (int k = 0; k < count; k++)
-		total = rgb_add(total, interior_hue_color((k + 0.5) / count));
-	return rgb(own.r / total.r, own.g / total.g, own.b / total.b);
+	return interior_hue_color((i + 0.5) / count);
+}
+
+/* What makes the samples' colours white together. */
+static Rgb hue_balance(int count)
+{
+	Rgb total = {0, 0, 0};
+	for (int i = 0; i < count; i++)
+		total = rgb_add(total, hue_color(i, count));
+	return rgb(1 / total.r, 1 / total.g, 1 / total.b);
 }
 
 static void follow_hues(Tracer *tracer, const PathRay *path, const ShadePoint *point,
 			const Bsdf *white, Seen *sum)
 {
 	int hues = hue_count(point->surface->interior);
+	Rgb balance = hue_balance(hues);
 	for (int i = 0; i < hues; i++) {
 		PathRay colored = *path;
 		BsdfEvent events[BSDF_MAX_EVENTS];
 		Bsdf bsdf = *white;
-		Rgb share = hue_share(i, hues);
+		Rgb share = rgb_mul(hue_color(i, hues), balance);
 		colored.colored = true;
 		colored.hue = (i + 0.5) / hues;
 		bsdf.ior = inside_ratio_of_hue(&path->inside, point->surface, colored.hue);
@@ -149,10 +156,9 @@ typedef struct Shaded {
 } Shaded;
 
 /* Low quality: the top layer's colour, fully lit, nothing else. */
-static Seen flat_color(const ShadePoint *point, const Shading *shading)
+static Seen flat_color(const Shading *shading)
 {
 	Seen sum = SEEN_NOTHING;
-	(void)point;
 	for (int i = 0; i < shading->stack_count; i++) {
 		const ShadingStack *stack = &shading->stacks[i];
 		if (stack->count)
@@ -227,7 +233,7 @@ static void note_first(FirstHit *first, const ShadePoint *point, const Shading *
 {
 	first->depth = depth;
 	first->normal = point->at.normal;
-	first->albedo = flat_color(point, shading).color;
+	first->albedo = flat_color(shading).color;
 }
 
 static Seen shade_hit(Tracer *tracer, const PathRay *path, const Hit *hit, FirstHit *first)
@@ -239,7 +245,7 @@ static Seen shade_hit(Tracer *tracer, const PathRay *path, const Hit *hit, First
 	if (first)
 		note_first(first, &point, &shading, hit->t);
 	if (!tracer->quality.lights)
-		return flat_color(&point, &shading);
+		return flat_color(&shading);
 	Seen sum = SEEN_NOTHING;
 	PathRay part = *path;
 	for (int i = 0; i < shading.stack_count; i++) {
@@ -286,23 +292,12 @@ Seen trace_ray(Tracer *tracer, const PathRay *path, FirstHit *first)
 
 /* ---- the eye ---- */
 
-static void find_eye(Tracer *tracer, Vec3 place)
-{
-	const Shape *around[INSIDE_MAX];
-	int count = accel_containing(tracer->scene->accel, place, around, INSIDE_MAX);
-	tracer->eye.count = 0;
-	tracer->eye_place = place;
-	for (int i = 0; i < count; i++) {
-		const Surface *surface = around[i]->owner;
-		if (!inside_has(&tracer->eye, surface))
-			inside_cross(&tracer->eye, surface);
-	}
-}
-
 Seen trace_eye(Tracer *tracer, const Ray *ray, FirstHit *first)
 {
-	if (memcmp(&tracer->eye_place, &ray->origin, sizeof ray->origin) != 0)
-		find_eye(tracer, ray->origin);
+	if (memcmp(&tracer->eye_place, &ray->origin, sizeof ray->origin) != 0) {
+		inside_start(&tracer->eye, tracer->scene->accel, ray->origin);
+		tracer->eye_place = ray->origin;
+	}
 	PathRay path = {.ray = *ray, .weight = 1, .hue = 0.5};
 	inside_copy(&path.inside, &tracer->eye);
 	tracer->statistics.eye_rays++;

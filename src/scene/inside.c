@@ -1,5 +1,15 @@
 #include "scene/inside.h"
 
+void inside_start(InsideStack *stack, const Accel *accel, Vec3 place)
+{
+	const Shape *around[INSIDE_MAX];
+	int count = accel_containing(accel, place, around, INSIDE_MAX);
+	stack->count = 0;
+	for (int i = 0; i < count; i++)
+		if (!inside_has(stack, around[i]->owner))
+			inside_cross(stack, around[i]->owner);
+}
+
 void inside_copy(InsideStack *to, const InsideStack *from)
 {
 	to->count = from->count;

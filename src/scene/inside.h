@@ -7,6 +7,7 @@
 #ifndef SCENE_INSIDE_H
 #define SCENE_INSIDE_H
 
+#include "scene/accel.h"
 #include "scene/object.h"
 
 enum { INSIDE_MAX = 24 }; /* deeper nesting is forgotten */
@@ -22,6 +23,8 @@ typedef struct InsideStack {
 	InsideItem items[INSIDE_MAX];
 } InsideStack;
 
+/* All that a place is in: where a path starts. */
+void inside_start(InsideStack *stack, const Accel *accel, Vec3 place);
 void inside_copy(InsideStack *to, const InsideStack *from);
 /* The surface's entry, or -1: for those who ask several things at one crossing. */
 static inline int inside_find(const InsideStack *stack, const Surface *surface)
