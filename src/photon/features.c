@@ -101,6 +101,8 @@ typedef struct FeatureJob {
 	const RelaxForest *forest;
 	int count; /* Kc */
 	bool gradient; /* is asked for */
+	double pushing; /* Kf / Kc */
+	RelaxPattern pattern;
 } FeatureJob;
 
 /* The neighbours in the photon's tangent plane. */
@@ -133,7 +135,8 @@ static void find_basis(RelaxSet *set, const FeatureJob *job, uint32_t i, const N
 	RelaxBasis *basis = &set->bases[i];
 	const float *n = set->points[i].normal;
 	double flat[found + 1][2], radius = sqrt(photon_tree_farthest(near, found));
-	Vec3 axes[2], normal = vec3_normalize(vec3(n[0], n[1], n[2]));
+	RelaxPiece piece = {set, i, near, found, {{0, 0, 0}}, radius, job->pushing};
+	Vec3 *axes = piece.axes, normal = vec3_normalize(vec3(n[0], n[1], n[2]));
 	vec3_frame(normal, &axes[0], &axes[1]);
 	int count = flatten(set, i, axes[0], axes[1], near, found, flat);
 	FeatureAxes features = feature_axes((const double (*)[2])flat, count, radius);
@@ -142,7 +145,7 @@ static void find_basis(RelaxSet *set, const FeatureJob *job, uint32_t i, const N
 	put(basis->u, along);
 	put(basis->v, vec3_cross(normal, along));
 	basis->v_length = (float)feature_freedom(features.l2, radius > 0 ? count : 0);
-	put(basis->gradient, job->gradient ? relax_gradient(set, i, near, found, axes, radius)
+	put(basis->gradient, job->gradient ? relax_gradient(&piece, &job->pattern)
 					   : vec3(0, 0, 0));
 }
 
@@ -162,7 +165,8 @@ void features_detect(RelaxSet *set, const Relaxation *settings)
 	set->bases = memory_alloc(sizeof *set->bases * ((size_t)set->count + 1));
 	RelaxForest *forest = relax_forest_create(set, RELAX_PARAMETER);
 	relax_forest_grow(forest);
-	FeatureJob job = {forest, settings->neighbors, settings->gradient};
+	double pushing = (double)settings->repulsion_neighbors / settings->neighbors;
+	FeatureJob job = {forest, settings->neighbors, settings->gradient, pushing, relax_pattern()};
 	relax_set_each(set, basis_run, &job);
 	relax_forest_destroy(forest);
 }

@@ -4,6 +4,10 @@
  * and c their colour, as parted light of other hues falls elsewhere. Then rho ~ 1 / det J, and
  * grad rho / rho = -J^-T (d det J / de) / det J.
  *
+ * Near a fold density is no line over the disc of those that push, and may end within it. There
+ * what all places of the sheet together would push is summed up: those that the map, folds and
+ * all, takes into the disc, of a pattern over the part of the light where neighbours come from.
+ *
  * How far the curvature H is trusted is Stein's: one less the inverse of how much more of the
  * neighbours' places it explains than as many terms of chance would.
  */
@@ -70,20 +74,19 @@ static void difference(const float to[3], const float from[3], const Vec3 axes[2
 }
 
 /* Places per radius, emitter coordinates per search range: numbers about one. */
-static void fill_columns(const RelaxSet *set, uint32_t i, const Neighbor *near, int found,
-			 const Vec3 axes[2], double radius, Columns *columns)
+static void fill_columns(const RelaxPiece *piece, Columns *columns)
 {
-	const RelaxPoint *p = &set->points[i];
+	const RelaxPoint *points = piece->set->points, *p = &points[piece->point];
 	double range = sqrt((double)p->range2);
 	Vec3 own[2];
 	float color[COLORS], other[COLORS], e[2], x[2];
 	emitter_axes(p, own);
 	color_of(p, color);
-	columns->count = found < ROOM ? found : ROOM;
+	columns->count = piece->found < ROOM ? piece->found : ROOM;
 	for (int n = 0; n < columns->count; n++) {
-		const RelaxPoint *q = &set->points[near[n].index];
+		const RelaxPoint *q = &points[piece->near[n].index];
 		difference(q->emitter, p->emitter, own, range, e);
-		difference(q->position, p->position, axes, radius, x);
+		difference(q->position, p->position, piece->axes, piece->radius, x);
 		color_of(q, other);
 		const float row[COLUMNS] = {
 			other[0] - color[0], other[1] - color[1], e[0], e[1], 0.5f * e[0] * e[0],
@@ -145,32 +148,111 @@ static void gradient_of(const Fit *fit, double g[2])
 	g[1] = -(x[A] * by_b - x[B] * by_a) / (det * det);
 }
 
-/*
- * More change than this over the kernel of neighbours is a fold's: there the fit of second order
- * ends, and the constraint holds.
- */
+/* ---- near folds ---- */
+
+RelaxPattern relax_pattern(void)
+{
+	const double golden_angle = M_PI * (3 - sqrt(5));
+	RelaxPattern pattern;
+	for (int n = 0; n < RELAX_PATTERN; n++) {
+		double radius = sqrt((n + 0.5) / RELAX_PATTERN), angle = golden_angle * n;
+		pattern.a[n] = (float)(radius * cos(angle));
+		pattern.b[n] = (float)(radius * sin(angle));
+	}
+	return pattern;
+}
+
+/* Of the ellipse in emitter space from where those come that push: what takes the disc there. */
+typedef struct Source { float aa, ba, bb; } Source;
+
+/* From the second moments of where neighbours start, as a disc's are a quarter of its square. */
+static Source find_source(const Columns *columns, double radius)
+{
+	/* Wider than it may seem: chance, and ways back over the fold. */
+	const double margin = 1.6;
+	double per = 1.0 / columns->count, scale = 2 * margin * radius;
+	double aa = per * product(columns, A, A), ab = per * product(columns, A, B),
+	       bb = per * product(columns, B, B);
+	double first = sqrt(aa), second = first > 0 ? ab / first : 0;
+	return (Source){(float)(scale * first), (float)(scale * second),
+			(float)(scale * sqrt(fmax(bb - second * second, 0)))};
+}
+
+typedef struct Sheet { float a, b, aa, ab, bb; } Sheet; /* terms along one axis */
+
+static Sheet sheet_along(const double map[TERMS])
+{
+	return (Sheet){(float)map[A], (float)map[B], 0.5f * (float)map[AA], (float)map[AB],
+		       0.5f * (float)map[BB]};
+}
+
+/* SJ13 eq. 8 over the sheet, places for photons. */
+CLONES static void push_of_sheet(const Fit *fit, const Source *source, const RelaxPattern *pattern,
+				 float radius, double push[2])
+{
+	const Sheet sx = sheet_along(fit->map[0]), sy = sheet_along(fit->map[1]);
+	const float tiny = 1e-9f;
+	float px = 0, py = 0, inside = 0;
+#pragma omp simd reduction(+ : px, py, inside)
+	for (int n = 0; n < 2 * RELAX_PATTERN; n++) {
+		float side = n < RELAX_PATTERN ? 1 : -1;
+		float a = side * source->aa * pattern->a[n % RELAX_PATTERN],
+		      b = side * (source->ba * pattern->a[n % RELAX_PATTERN] +
+				  source->bb * pattern->b[n % RELAX_PATTERN]);
+		float x = sx.a * a + sx.b * b + sx.aa * a * a + sx.ab * a * b + sx.bb * b * b,
+		      y = sy.a * a + sy.b * b + sy.aa * a * a + sy.ab * a * b + sy.bb * b * b;
+		float distance = sqrtf(x * x + y * y);
+		float in = distance < radius && a * a + b * b < 1 ? 1 : 0; /* within the range */
+		float strength = in * (radius / (distance + tiny) - 1);
+		px -= x * strength;
+		py -= y * strength;
+		inside += in;
+	}
+	push[0] = inside > 0 ? (double)(px / inside) : 0;
+	push[1] = inside > 0 ? (double)(py / inside) : 0;
+}
+
+/* The gradient whose mean push -g r^2 / 12 is that of the sheet. */
+static void gradient_near_fold(const Fit *fit, const Columns *columns, double radius,
+			       const RelaxPattern *pattern, double g[2])
+{
+	Source source = find_source(columns, radius);
+	push_of_sheet(fit, &source, pattern, (float)radius, g);
+	for (int k = 0; k < 2; k++)
+		g[k] *= -12 / (radius * radius);
+}
+
+/* ---- all ---- */
+
+/* Density that changes by more than this over the radius of those that push is a fold's. */
+static const double STEEP = 0.5;
+/* And more than this, over that of all neighbours, is nothing that the fit could know. */
 static const double STEEPEST = 4;
 
-Vec3 relax_gradient(const RelaxSet *set, uint32_t i, const Neighbor *near, int found,
-		    const Vec3 axes[2], double radius)
+Vec3 relax_gradient(const RelaxPiece *piece, const RelaxPattern *pattern)
 {
 	Columns columns;
 	Fit fit;
-	double g[2];
-	if (found < LEAST || !(radius > 0) || !(set->points[i].range2 < INFINITY))
+	double g[2], pushing = sqrt(fmin(1, piece->pushing));
+	if (piece->found < LEAST || !(piece->radius > 0) ||
+	    !(piece->set->points[piece->point].range2 < INFINITY))
 		return vec3(0, 0, 0);
-	fill_columns(set, i, near, found, axes, radius, &columns);
+	fill_columns(piece, &columns);
 	make_equations(&columns, &fit);
 	if (!cholesky_factor(fit.matrix[0], TERMS, TERMS, SINGULAR))
 		return vec3(0, 0, 0);
 	double curved = solve(&fit, fit.map[0]) + solve(&fit, fit.map[1]);
 	double chance = 2 * CURVED * fmax(fit.squares, 0) / (2 * (columns.count - TERMS));
-	gradient_of(&fit, g);
-	double steep = hypot(g[0], g[1]);
-	if (!(steep < INFINITY) || curved <= chance)
+	if (!(curved > chance))
 		return vec3(0, 0, 0);
-	double scale = (1 - chance / curved) * fmin(1, STEEPEST / fmax(steep, STEEPEST)) / radius;
-	return vec3_add(vec3_scale(axes[0], scale * g[0]), vec3_scale(axes[1], scale * g[1]));
+	gradient_of(&fit, g);
+	if (!(hypot(g[0], g[1]) * pushing < STEEP))
+		gradient_near_fold(&fit, &columns, pushing, pattern, g);
+	double steep = hypot(g[0], g[1]);
+	double scale = (1 - chance / curved) * fmin(1, STEEPEST / fmax(steep, STEEPEST)) /
+		       piece->radius;
+	return vec3_add(vec3_scale(piece->axes[0], scale * g[0]),
+			vec3_scale(piece->axes[1], scale * g[1]));
 }
 
 void relax_gradient_resist(const float gradient[3], float radius, float force[3])

@@ -15,13 +15,29 @@
 #include "photon/relax_set.h"
 #include "photon/tree.h"
 
+/* Half of some places spread evenly over the unit disc; the others are opposite. */
+enum { RELAX_PATTERN = 64 };
+typedef struct RelaxPattern { float a[RELAX_PATTERN], b[RELAX_PATTERN]; } RelaxPattern;
+
+RelaxPattern relax_pattern(void);
+
+/* A photon and those of its sheet about it. */
+typedef struct RelaxPiece {
+	const RelaxSet *set;
+	uint32_t point;
+	const Neighbor *near;
+	int found;
+	Vec3 axes[2];   /* unit, tangent, orthogonal */
+	double radius;  /* of the farthest found */
+	double pushing; /* how many of the found, on the average, push: a share */
+} RelaxPiece;
+
 /*
- * The relative gradient of density (grad rho / rho, per scene unit, tangent to the surface) of
- * photon i's sheet. near: photons of its sheet about it; axes: unit, tangent, orthogonal; radius:
- * of the farthest of them. Zero where the map is not known or not smooth: few neighbours, creases.
+ * The relative gradient of density (grad rho / rho, per scene unit, tangent to the surface) of the
+ * photon's sheet. Near a fold, where a gradient says little, the one that would push as the fold
+ * does. Zero where the map is not known or not smooth: few neighbours, creases.
  */
-Vec3 relax_gradient(const RelaxSet *set, uint32_t i, const Neighbor *near, int found,
-		    const Vec3 axes[2], double radius);
+Vec3 relax_gradient(const RelaxPiece *piece, const RelaxPattern *pattern);
 
 /* What takes off the mean push on a photon by those within radius: to be added to eq. 8's force. */
 void relax_gradient_resist(const float gradient[3], float radius, float force[3]);

@@ -48,6 +48,13 @@ static void level(double a, double b, Truth *truth)
 			 {-3 * y / square, -3 * z / square}};
 }
 
+/* A fold at x = 0, on both sides of which light lands at x > 0. */
+static void fold(double a, double b, Truth *truth)
+{
+	double c = a - 0.5;
+	*truth = (Truth){{a, b, 0}, c * c, b, {-0.5 / (c * c), 0}};
+}
+
 enum { PHOTONS = 4000 };
 
 /* Anywhere in the unit square; some exactly level. */
@@ -64,7 +71,7 @@ static PhotonMap *make_map(Map *map, double shift)
 	photons->photons = memory_alloc(sizeof(Photon) * PHOTONS);
 	photons->count = PHOTONS;
 	photons->lights = memory_alloc(sizeof(PhotonLight));
-	photons->lights[0] = (PhotonLight){PHOTONS, 1, map == bend ? 2 : 3};
+	photons->lights[0] = (PhotonLight){PHOTONS, 1, map == bend || map == fold ? 2 : 3};
 	photons->light_count = 1;
 	for (uint32_t i = 0; i < PHOTONS; i++) {
 		Photon *photon = &photons->photons[i];
@@ -177,6 +184,35 @@ static void test_drift(void)
 	CHECK(drift(paper) > 0.7 * blurred);
 }
 
+/*
+ * How much farther from the fold the light beside it has come, as a part of its distance, where
+ * discs of those that push are as wide as the fold is away.
+ */
+static double flight(Relaxation settings)
+{
+	PhotonMap *photons = make_map(fold, 0), *before = make_map(fold, 0);
+	double was = 0, is = 0;
+	photon_relax(photons, &settings, &EVERYWHERE, NULL);
+	for (uint32_t i = 0; i < PHOTONS; i++) {
+		const float *p = photons->photons[i].position, *q = before->photons[i].position;
+		if (q[0] > 0.02f || fabsf(q[2] - 0.5f) > 0.4f)
+			continue;
+		was += (double)q[0];
+		is += (double)p[0];
+	}
+	photon_map_destroy(photons);
+	photon_map_destroy(before);
+	return is / was - 1;
+}
+
+static void test_fold(void)
+{
+	Relaxation constrained = relaxation_default(), paper = constrained;
+	paper.gradient = false;
+	CHECK_NEAR(flight(constrained), 0, 0.003); /* a gradient's push taken off: 0.006 */
+	CHECK(flight(paper) > 0.05);
+}
+
 static void test_resistance(void)
 {
 	float still[3] = {0, 0, 0}, force[3] = {1, 2, 3}, steep[3] = {0, 0, 1e6f};
@@ -193,6 +229,7 @@ int main(void)
 	test_maps();
 	test_chaos();
 	test_drift();
+	test_fold();
 	test_resistance();
 	return CHECK_RESULT();
 }
