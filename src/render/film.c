@@ -292,7 +292,8 @@ Film *film_load(const char *path, uint64_t key, Diag *diag)
 		diag_fail(diag, "'%s' is not the state of a render", path);
 	} else if (header.key != key) {
 		diag_fail(diag,
-			  "'%s' is the state of another render: scene, size or switches differ",
+			  "'%s' is the state of another render: scene, size or switches differ; "
+			  "without +C the picture is begun anew",
 			  path);
 	} else {
 		film = film_create(header.width, header.height, header.layers);

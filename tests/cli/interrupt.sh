@@ -42,6 +42,7 @@ got=$?
 size='+W320 +H240'
 echo '// changed' >>slow.pov
 "$COGNAC" slow.pov $size +C +Osoon.png >out 2>err && fail "goes on with the state of another scene"
+grep -q 'differ; without +C the picture is begun anew$' err || fail "another scene's state is told as $(cat err)"
 rm -f soon.png.state soon.png
 
 sed 's/12, 12/4, 4/' slow.pov >quick.pov
