@@ -197,12 +197,12 @@ static Status finish(FrameWork *work)
 	double start = clock_wall();
 	if (!work->job->options->to_file)
 		return STATUS_DONE;
-	bool keeps = keeps_state(work) && strcmp(work->path, "-") != 0;
+	bool named = strcmp(work->path, "-") != 0, keeps = keeps_state(work) && named;
 	bool good = !keeps || film_save(work->film, work->state_path, work->key, work->job->diag);
 	good = good && output_write(work->job->options, work->film, &work->origin, work->path,
 				    work->job->diag);
 	work->statistics.write_seconds = clock_wall() - start;
-	if (good && work->job->options->resume && !keeps)
+	if (good && named && !keeps)
 		unlink(work->state_path);
 	return good ? STATUS_DONE : STATUS_FAILED;
 }

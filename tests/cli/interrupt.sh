@@ -43,7 +43,10 @@ size='+W320 +H240'
 echo '// changed' >>slow.pov
 "$COGNAC" slow.pov $size +C +Osoon.png >out 2>err && fail "goes on with the state of another scene"
 grep -q 'differ; without +C the picture is begun anew$' err || fail "another scene's state is told as $(cat err)"
-rm -f soon.png.state soon.png
+# shellcheck disable=SC2086
+"$COGNAC" ball.pov $size +Osoon.png >out 2>err || fail "cannot begin anew: $(head -n 1 err)"
+[ ! -e soon.png.state ] || fail "a picture that is begun anew leaves the old state"
+rm -f soon.png
 
 sed 's/12, 12/4, 4/' slow.pov >quick.pov
 mv quick.pov slow.pov
