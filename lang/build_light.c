@@ -1,5 +1,6 @@
 /* light_source { }. */
 #include <math.h>
+#include <stdlib.h>
 
 #include "lang/build_object.h"
 #include "lang/build_photons.h"
@@ -59,12 +60,14 @@ static bool read_area(Cursor *cursor, Light *light)
 	Location where = cursor_where(cursor);
 	if (!cursor_take_int(cursor, &light->size1) || !cursor_take_int(cursor, &light->size2))
 		return false;
-	if ((double)light->size1 * light->size2 <= MOST_LIGHTS)
-		return true;
-	diag_error(cursor->context->diag, where, "an area light is of at most %d lights, not %.0f",
-		   MOST_LIGHTS, (double)light->size1 * light->size2);
-	light->size1 = light->size2 = 1;
-	return false;
+	double lights = (double)light->size1 * light->size2;
+	bool good = lights >= 1 && lights <= MOST_LIGHTS;
+	if (!good)
+		diag_error(cursor->context->diag, where,
+			   "an area light is of 1 to %d lights, not %.0f", MOST_LIGHTS, lights);
+	light->size1 = good ? abs(light->size1) : 1; /* two negative ones pass in POV-Ray */
+	light->size2 = good ? abs(light->size2) : 1;
+	return good;
 }
 
 /* Words with numbers; false when none of them is next. */
