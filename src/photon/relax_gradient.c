@@ -154,10 +154,13 @@ RelaxPattern relax_pattern(void)
 {
 	const double golden_angle = M_PI * (3 - sqrt(5));
 	RelaxPattern pattern;
-	for (int n = 0; n < RELAX_PATTERN; n++) {
-		double radius = sqrt((n + 0.5) / RELAX_PATTERN), angle = golden_angle * n;
+	for (int n = 0; n < RELAX_PATTERN / 2; n++) {
+		double radius = sqrt((2 * n + 1.0) / RELAX_PATTERN), angle = golden_angle * n;
+		int opposite = n + RELAX_PATTERN / 2;
 		pattern.a[n] = (float)(radius * cos(angle));
 		pattern.b[n] = (float)(radius * sin(angle));
+		pattern.a[opposite] = -pattern.a[n];
+		pattern.b[opposite] = -pattern.b[n];
 	}
 	return pattern;
 }
@@ -194,11 +197,9 @@ CLONES static void push_of_sheet(const Fit *fit, const Source *source, const Rel
 	const float tiny = 1e-9f;
 	float px = 0, py = 0, inside = 0;
 #pragma omp simd reduction(+ : px, py, inside)
-	for (int n = 0; n < 2 * RELAX_PATTERN; n++) {
-		float side = n < RELAX_PATTERN ? 1 : -1;
-		float a = side * source->aa * pattern->a[n % RELAX_PATTERN],
-		      b = side * (source->ba * pattern->a[n % RELAX_PATTERN] +
-				  source->bb * pattern->b[n % RELAX_PATTERN]);
+	for (int n = 0; n < RELAX_PATTERN; n++) {
+		float a = source->aa * pattern->a[n],
+		      b = source->ba * pattern->a[n] + source->bb * pattern->b[n];
 		float x = sx.a * a + sx.b * b + sx.aa * a * a + sx.ab * a * b + sx.bb * b * b,
 		      y = sy.a * a + sy.b * b + sy.aa * a * a + sy.ab * a * b + sy.bb * b * b;
 		float distance = sqrtf(x * x + y * y);

@@ -15,8 +15,8 @@
 #include "photon/relax_set.h"
 #include "photon/tree.h"
 
-/* Half of some places spread evenly over the unit disc; the others are opposite. */
-enum { RELAX_PATTERN = 64 };
+/* Places spread evenly over the unit disc, each with its opposite: odd terms cancel. */
+enum { RELAX_PATTERN = 128 };
 typedef struct RelaxPattern { float a[RELAX_PATTERN], b[RELAX_PATTERN]; } RelaxPattern;
 
 RelaxPattern relax_pattern(void);
