@@ -7,6 +7,7 @@
 #include "geom/ray_box.h"
 #include "geom/sphere.h"
 #include "photon/autostop.h"
+#include "scene/shade.h"
 #include "scene/visit.h"
 
 /* ---- targets: the primitives of one object together ---- */
@@ -91,17 +92,10 @@ static int find_targets(const Scene *scene, Target *targets)
 
 /* ---- aims ---- */
 
-bool photon_light_reaches(const Light *light, const Surface *surface)
-{
-	if (light->group)
-		return light->group == surface->light_group;
-	return surface->light_group == 0 || surface->global_lights;
-}
-
 /* A light shoots at a target when both agree on at least one kind of event. */
 static bool shoots(const Light *light, const Surface *surface)
 {
-	return photon_light_reaches(light, surface) && light->photons_share > 0 &&
+	return shade_light_reaches(light, surface) && light->photons_share > 0 &&
 	       ((light->photons_refraction && surface->photons_refraction) ||
 		(light->photons_reflection && surface->photons_reflection));
 }

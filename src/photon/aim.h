@@ -58,7 +58,5 @@ void photon_starts(const Scene *scene, const PhotonAim *aim, const PhotonTraceOp
 double photon_start_number(PhotonStarts *starts, int start, int dimension);
 /* Whether a ray meets the target's box. */
 bool photon_aim_hits(const PhotonAim *aim, const Emission *emission);
-/* Whether the light shines on the surface at all (light groups). */
-bool photon_light_reaches(const Light *light, const Surface *surface);
 
 #endif

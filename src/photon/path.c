@@ -136,15 +136,6 @@ static void store(Path *path, const Meeting *at)
 
 /* ---- at a surface ---- */
 
-static Rgb stack_transmittance(const Shading *shading, const ShadingStack *stack)
-{
-	Rgb through = rgb_all(stack->weight);
-	for (int i = 0; i < stack->count; i++)
-		through = rgb_mul(through,
-				  rgbft_transmittance(shading->layers[stack->first + i].color));
-	return through;
-}
-
 /* One of the texture's stacks, by its weight. */
 static const ShadingStack *choose_stack(Path *path, const Shading *shading)
 {
@@ -315,12 +306,9 @@ static bool pass_by(Path *path, const Hit *hit)
 {
 	ShadePoint point;
 	Shading shading;
-	Rgb through = {0, 0, 0};
 	shade_point_init(&point, &path->ray, hit);
 	shade_textures(&point, &shading);
-	for (int i = 0; i < shading.stack_count; i++)
-		through = rgb_add(through, stack_transmittance(&shading, &shading.stacks[i]));
-	path->tint = rgb_mul(path->tint, through);
+	path->tint = rgb_mul(path->tint, shade_transmittance(&shading));
 	path->ray.origin = point.at.world;
 	path->ray.tmin = shade_epsilon(point.at.world);
 	return !rgb_is_black(path->tint);
@@ -354,7 +342,7 @@ static void attenuate(Path *path, const Interior *interior, double distance)
 static bool collects(const Path *path, const Surface *surface)
 {
 	return path->edges > 1 && surface->photons_collect &&
-	       photon_light_reaches(path->light, surface);
+	       shade_light_reaches(path->light, surface);
 }
 
 static void find_meeting(const Path *path, const Hit *hit, int inside, Meeting *out)

@@ -4,7 +4,7 @@
 #include <stdlib.h>
 
 #include "base/clock.h"
-#include "photon/aim.h"
+#include "scene/shade.h"
 #include "scene/visit.h"
 
 /* The estimator of the objects that name these settings; the scene's own comes first. */
@@ -155,5 +155,5 @@ void caustics_gather(const Caustics *caustics, const LitPoint *at, const Bsdf *b
 bool caustics_replace_shadow(const Caustics *caustics, const Light *light, const Surface *surface)
 {
 	return caustics && surface->photons_target && surface->photons_refraction &&
-	       light->photons_refraction && photon_light_reaches(light, surface);
+	       light->photons_refraction && shade_light_reaches(light, surface);
 }

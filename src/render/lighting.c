@@ -6,16 +6,10 @@
 #include "render/lighting.h"
 
 #include "light/area.h"
+#include "scene/shade.h"
 
 /* Corners that differ by less than this are taken as equal (sum of the colour's differences). */
 static const float GRID_TOLERANCE = 0.1f;
-
-static bool light_reaches(const Light *light, const Surface *surface)
-{
-	if (light->group)
-		return light->group == surface->light_group;
-	return surface->light_group == 0 || surface->global_lights;
-}
 
 /* ---- the grid of an area light ---- */
 
@@ -173,7 +167,7 @@ Rgb lighting_at(Tracer *tracer, const LitPoint *at, const Bsdf *bsdf)
 	if (bsdf_is_delta(bsdf))
 		return sum;
 	for (int i = 0; i < tracer->scene->light_count; i++)
-		if (light_reaches(&tracer->scene->lights[i], at->surface))
+		if (shade_light_reaches(&tracer->scene->lights[i], at->surface))
 			sum = rgb_add(sum, one_light(tracer, at, i, bsdf));
 	return sum;
 }

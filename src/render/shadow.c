@@ -47,19 +47,10 @@ static void sort_hits(Hit *hits, int count)
 	}
 }
 
-/* The sum over the texture's stacks of what each lets through. */
+/* What the surface lets through; POV-Ray's fake caustics gather it where it goes straight on. */
 static Rgb surface_transmittance(const ShadePoint *point, const Shading *shading)
 {
-	Rgb sum = {0, 0, 0};
-	for (int i = 0; i < shading->stack_count; i++) {
-		const ShadingStack *stack = &shading->stacks[i];
-		Rgb through = rgb_all(stack->weight);
-		for (int k = 0; k < stack->count; k++)
-			through = rgb_mul(
-				through,
-				rgbft_transmittance(shading->layers[stack->first + k].color));
-		sum = rgb_add(sum, through);
-	}
+	Rgb sum = shade_transmittance(shading);
 	const Interior *interior = point->surface->interior;
 	if (interior && interior->caustics != 0 && shading->layer_count) {
 		Vec3 normal = shading->layers[shading->layer_count - 1].normal;

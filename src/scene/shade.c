@@ -68,6 +68,30 @@ void shade_textures(const ShadePoint *point, Shading *out)
 		texture_shade(surface->texture, surface->attach, &point->at, out);
 }
 
+bool shade_light_reaches(const Light *light, const Surface *surface)
+{
+	if (light->group)
+		return light->group == surface->light_group;
+	return surface->light_group == 0 || surface->global_lights;
+}
+
+static Rgb stack_transmittance(const Shading *shading, const ShadingStack *stack)
+{
+	Rgb through = rgb_all(stack->weight);
+	for (int i = 0; i < stack->count; i++)
+		through = rgb_mul(through,
+				  rgbft_transmittance(shading->layers[stack->first + i].color));
+	return through;
+}
+
+Rgb shade_transmittance(const Shading *shading)
+{
+	Rgb sum = {0, 0, 0};
+	for (int i = 0; i < shading->stack_count; i++)
+		sum = rgb_add(sum, stack_transmittance(shading, &shading->stacks[i]));
+	return sum;
+}
+
 Rgb shade_attenuation(const Interior *interior, double distance)
 {
 	if (!interior || interior->fade_power <= 0 || interior->fade_distance <= 0)

@@ -22,6 +22,10 @@ static inline double shade_epsilon(Vec3 p)
 	 * doubles can tell apart. */
 	return real_max(real_min(1e-3, 1e-4 * scale), 1e-9 * scale);
 }
+/* Whether the light shines on the surface at all (light groups). */
+bool shade_light_reaches(const Light *light, const Surface *surface);
+/* What of light goes straight through the textures: the sum over their stacks. */
+Rgb shade_transmittance(const Shading *shading);
 /* What is left of light after a way through an interior: fade_distance, fade_power, fade_color. */
 Rgb shade_attenuation(const Interior *interior, double distance);
 
