@@ -15,7 +15,8 @@ typedef struct Task {
 
 static const char usage[] =
 	"usage: cognac-layer [OPTION]... PICTURE.exr [LAYER]\n"
-	"Draws a layer of an OpenEXR picture as PNG; without LAYER names the layers and their values' bounds.\n"
+	"Draws a layer of an OpenEXR picture as PNG; without LAYER names the layers and their\n"
+	"values' bounds.\n"
 	"\n"
 	"  -o, --output=FILE        the PNG; PICTURE.LAYER.png without it\n"
 	"      --exposure=FACTOR    multiply light by this first\n"

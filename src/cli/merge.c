@@ -226,7 +226,8 @@ static bool write_png(const Merge *merge, const char *path)
 
 static const char usage[] =
 	"usage: cognac-merge --output=FILE PART...\n"
-	"Puts the parts of one picture (PNG or OpenEXR, rendered with +SR, +ER, +SC, +EC) together.\n"
+	"Puts the parts of one picture (PNG or OpenEXR, rendered with +SR, +ER, +SC, +EC)\n"
+	"together.\n"
 	"\n"
 	"  -o, --output=FILE    the whole picture, in the format of its parts\n"
 	"      --help           print this and exit\n"
