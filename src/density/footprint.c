@@ -9,8 +9,8 @@
  * photons' own way is noisy. There each photon's light covers a disc, as with the nearest photons
  * (footprint_parts.c).
  *
- * In progressive passes patches shrink towards their photons, so that what they get wrong vanishes
- * from the mean over passes.
+ * In progressive passes patches shrink towards their photons, those soonest that fit worst, so that
+ * what they get wrong vanishes from the mean over passes.
  */
 #include <math.h>
 #include <stdlib.h>

@@ -48,11 +48,16 @@ double footprint_mesh_hue(const Sheet *s, uint32_t vertex)
 	return s->task->hues ? s->task->hues[vertex] : 0;
 }
 
+double footprint_mesh_hue_shrink(const Sheet *s)
+{
+	return fmin(1, s->task->scale * s->task->shrink);
+}
+
 /* Moves the vertex to where it were if it had the slice's hue; as patches shrink, less far. */
 static void settle_hue(Sheet *s, uint32_t vertex)
 {
 	Vertex *v = &s->vertices[vertex];
-	double off = fmin(1, s->task->shrink) * (s->task->hue - footprint_mesh_hue(s, vertex));
+	double off = footprint_mesh_hue_shrink(s) * (s->task->hue - footprint_mesh_hue(s, vertex));
 	v->hue_slope = vec3_of(s->task->hue_slopes[vertex]);
 	v->at = vec3_mad(v->at, off, v->hue_slope);
 }

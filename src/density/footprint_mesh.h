@@ -20,6 +20,8 @@ typedef struct Vertex {
 	double count, area; /* photons and chart area around, in the same window */
 	double flux[3];
 	double light[3]; /* density of flux in the chart */
+	double roughness; /* of the fit */
+	double shrink;    /* its patches are drawn so much smaller */
 	double trust;
 	double covered; /* how much of the full angle triangles fill: 0..1 */
 	double kept;    /* share of its light that patches have room for */
@@ -75,6 +77,8 @@ bool footprint_mesh_is_border(const Sheet *sheet, uint32_t a, uint32_t b);
 
 /* The photon's hue; 0 where light is not parted. */
 double footprint_mesh_hue(const Sheet *sheet, uint32_t vertex);
+/* The share of their way that photons are moved to the slice's hue, and patches smeared over it. */
+double footprint_mesh_hue_shrink(const Sheet *sheet);
 
 /* Twice the area of the triangle a b c; over 0: anticlockwise. */
 static inline double footprint_cross(const double a[2], const double b[2], const double c[2])

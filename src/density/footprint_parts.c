@@ -22,7 +22,7 @@
 
 typedef struct Making {
 	const PhotonMap *map;
-	double shrink, disc_shrink; /* of patches and discs: 1 whole */
+	double scale, shrink, disc_shrink; /* of patches, of these in passes, of discs: 1 whole */
 	double reach;
 	FootprintHues hues;
 	FootprintParts parts;
@@ -132,6 +132,7 @@ static SheetTask make_task(const Making *m, uint32_t kind, const uint32_t *photo
 	return (SheetTask){.map = m->map,
 	                   .photons = photons,
 	                   .count = count,
+	                   .scale = m->scale,
 	                   .shrink = m->shrink,
 	                   .strangers = m->strangers,
 	                   .kind = kind};
@@ -235,14 +236,6 @@ static double disc_shrink_of(const EstimatorSetup *setup)
 	return setup->radius > 0 && first > 0 ? fmin(1, setup->radius / first) : 1;
 }
 
-/* Patches are right but for what curves within them, and shrinking makes them noisy: their areas
- * shrink as the radius does. */
-static double shrink_of(const EstimatorSetup *setup)
-{
-	double scale = setup->method->scale > 0 ? setup->method->scale : 1;
-	return scale * sqrt(disc_shrink_of(setup));
-}
-
 /* Photons sorted by kind, and the kinds' numbers. */
 static void sort_by_kind(const PhotonMap *map, uint32_t *photons, uint32_t *kinds)
 {
@@ -295,9 +288,11 @@ static void add_sheets(Making *m)
 FootprintParts footprint_parts(const EstimatorSetup *setup)
 {
 	const PhotonMap *map = setup->map;
+	double disc_shrink = disc_shrink_of(setup);
 	Making m = {.map = map,
-	            .shrink = shrink_of(setup),
-	            .disc_shrink = disc_shrink_of(setup),
+	            .scale = setup->method->scale > 0 ? setup->method->scale : 1,
+	            .shrink = sqrt(disc_shrink), /* patches' areas go with the radius */
+	            .disc_shrink = disc_shrink,
 	            .reach = gather_reach(map, DISC_COUNT),
 	            .hues = footprint_hues(),
 	            .trust = memory_alloc(sizeof(float) * (map->count + 1)),

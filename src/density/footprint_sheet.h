@@ -15,7 +15,9 @@ typedef struct SheetTask {
 	const PhotonMap *map;
 	const uint32_t *photons; /* numbers in the map; along a curve that fills emitter space */
 	uint32_t count;
-	double shrink; /* patches are drawn so much smaller, towards each of their photons */
+	/* Patches are drawn so much smaller, towards each of their photons: all of them, and in
+	 * passes those that do not fit. */
+	double scale, shrink;
 	/* Of parted light: hues of the photons, 0..1, how the place where one lands changes with
 	 * hue, and the slice of hues that the photons are from; else NULL. */
 	const float *hues;

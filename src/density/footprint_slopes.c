@@ -116,6 +116,7 @@ static void fit_vertex(void *data, long item, int thread)
 		return;
 	p->stretch = stretch_of(s, p, (uint32_t)item);
 	p->trust = 1 - doubt_of(fit.roughness);
+	p->roughness = fit.roughness;
 	for (int k = 0; k < 2; k++)
 		p->slope[k] = vec3_add(vec3_scale(u, scale * fit.jacobian[0][k]),
 		                       vec3_scale(v, scale * fit.jacobian[1][k]));
