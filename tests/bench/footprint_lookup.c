@@ -64,13 +64,13 @@ static void gather_by_embree(Bench *b)
 	struct RTCPointQueryContext context;
 	rtcInitPointQueryContext(&context);
 	for (uint32_t i = 0; i < POINTS; i++) {
-		Vec3 sides[2], p = b->points[i].position;
-		Gathering g = begin(b->footprints, &b->tasks[i], sides);
+		Vec3 p = b->points[i].position;
+		Gathering g = begin(b->footprints, &b->tasks[i]);
 		struct RTCPointQuery query = {(float)p.x, (float)p.y, (float)p.z, 0,
-					      (float)sqrt(0.5 * g.width2)};
+					      (float)window_reach(&g.window)};
+		Vec3 reach = vec3_all(sqrt(g.window.area / 2));
 		rtcPointQuery(b->scene, &query, &context, embree_visit, &g);
-		footprint_tree_visit(&b->footprints->disc_tree,
-				     box_around(p, vec3_all(sqrt(0.5 * g.width2))), add_discs, &g);
+		footprint_tree_visit(&b->footprints->disc_tree, box_around(p, reach), add_discs, &g);
 		gather_finish(&g.sum, 0, &b->results[i]);
 	}
 }
