@@ -139,10 +139,11 @@ static void diffusion_gather(const void *method, const GatherTask *task, GatherR
 	Neighbor found[GATHER_ROOM(d->count)];
 	GatherSum sum = {.task = task};
 	Frame frame = {.origin = task->point->position};
-	double radius2, root = 1, pixel2 = gather_least_radius2(task->point);
+	Window pixel = window_around(task->point, 0);
+	double radius2, root = 1, pixel2 = gather_least_radius2(&pixel);
 	int count = gather_nearest(task, d->count, d->reach, found, &radius2);
 	if (radius2 < pixel2) {
-		gather_pixel(task, result);
+		gather_pixel(task, &pixel, result);
 		return;
 	}
 	vec3_frame(task->point->normal, &frame.u, &frame.v);

@@ -3,8 +3,6 @@
 #include <math.h>
 #include <stdlib.h>
 
-#include "density/window.h"
-
 static const double least_cosine = 0.5;
 
 double gather_thickness(double radius)
@@ -110,38 +108,51 @@ int gather_nearest(const GatherTask *task, int wanted, double reach, Neighbor *f
 	}
 }
 
-double gather_least_radius2(const GatherPoint *point)
-{
-	return point->footprint > 0 ? 0.5 * window_around(point, 0).area : 0;
-}
-
-typedef struct Pixel {
+typedef struct Walk {
 	GatherSum sum;
-	Window window;
 	double radius;
-} Pixel;
+	GatherKernel *kernel;
+	const void *data;
+} Walk;
 
-static void add_inside(void *data, const Neighbor *found, int count)
+static void add_within(void *data, const Neighbor *found, int count)
 {
-	Pixel *pixel = data;
+	Walk *walk = data;
 	for (int i = 0; i < count; i++) {
-		const Photon *photon = &pixel->sum.task->map->photons[found[i].index];
-		double x, y;
-		window_measure(&pixel->window, pixel->window.at, photon->position, &x, &y);
-		bool inside = x >= -0.5 && x < 0.5 && y >= -0.5 && y < 0.5;
-		if (inside && gather_accepts(pixel->sum.task->point, photon, pixel->radius))
-			gather_add(&pixel->sum, photon, 1 / pixel->window.area);
+		const Photon *photon = &walk->sum.task->map->photons[found[i].index];
+		double kernel = walk->kernel(walk->data, photon, found[i].distance2);
+		if (kernel >= 0 && gather_accepts(walk->sum.task->point, photon, walk->radius))
+			gather_add(&walk->sum, photon, kernel);
 	}
 }
 
-void gather_pixel(const GatherTask *task, GatherResult *result)
+void gather_within(const GatherTask *task, double radius, GatherKernel *kernel, const void *data,
+		   GatherResult *result)
 {
-	Pixel pixel = {.sum = {.task = task}, .window = window_around(task->point, 0)};
+	Walk walk = {{.task = task}, radius, kernel, data};
 	Vec3 p = task->point->position;
 	float center[3] = {(float)p.x, (float)p.y, (float)p.z};
-	pixel.radius = window_reach(&pixel.window);
-	photon_tree_within(task->map->tree, center, (float)pixel.radius, add_inside, &pixel);
-	gather_finish(&pixel.sum, pixel.radius, result);
+	photon_tree_within(task->map->tree, center, (float)radius, add_within, &walk);
+	gather_finish(&walk.sum, radius, result);
+}
+
+double gather_least_radius2(const Window *pixel)
+{
+	return 0.5 * pixel->area;
+}
+
+static double weight_in_pixel(const void *data, const Photon *photon, double distance2)
+{
+	(void)distance2;
+	const Window *pixel = data;
+	double x, y;
+	window_measure(pixel, pixel->at, photon->position, &x, &y);
+	return x >= -0.5 && x < 0.5 && y >= -0.5 && y < 0.5 ? 1 / pixel->area : -1;
+}
+
+void gather_pixel(const GatherTask *task, const Window *pixel, GatherResult *result)
+{
+	gather_within(task, vec3_length(pixel->reach), weight_in_pixel, pixel, result);
 }
 
 double gather_reach(const PhotonMap *map, int count)

@@ -11,6 +11,7 @@
 #define DENSITY_GATHER_H
 
 #include "density/method.h"
+#include "density/window.h"
 
 /* How far along the normal photons may lie. */
 double gather_thickness(double radius);
@@ -44,14 +45,20 @@ enum { GATHER_TRIES = 3 };
 int gather_nearest(const GatherTask *task, int wanted, double reach, Neighbor *found,
                    double *radius2);
 
+/* A photon's weight at so large a squared distance, per area; negative: it does not belong. */
+typedef double GatherKernel(const void *data, const Photon *photon, double distance2);
+/* All accepted photons within the radius, by their weights. */
+void gather_within(const GatherTask *task, double radius, GatherKernel *kernel, const void *data,
+		   GatherResult *result);
+
 /*
  * No kernel is narrower than a pixel, or what lies between the pixels' middles would be missed. The
  * square of the radius from which on discs are used: their paraboloid's variance, r^2 / 6, is then
  * that of what the pixel sees, a twelfth of its area. 0 when the pixel is not known.
  */
-double gather_least_radius2(const GatherPoint *point);
+double gather_least_radius2(const Window *pixel);
 /* The pixel itself as the kernel: each photon counts in one pixel, there once. */
-void gather_pixel(const GatherTask *task, GatherResult *result);
+void gather_pixel(const GatherTask *task, const Window *pixel, GatherResult *result);
 
 /* How far to look at most for so many photons: eight times the radius that holds them at the map's
  * median density; INFINITY when that is unknown. */

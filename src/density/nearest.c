@@ -46,31 +46,12 @@ static void *nearest_create(const EstimatorSetup *setup, Diag *diag)
 
 /* ---- fixed radius ---- */
 
-typedef struct Disc {
-	GatherSum sum;
-	double radius;
-	EstimatorKernel kernel;
-} Disc;
-
-static void add_within(void *data, const Neighbor *found, int count)
+static double weight_in_disc(const void *data, const Photon *photon, double distance2)
 {
-	Disc *disc = data;
-	double scale = 1 / (disc->radius * disc->radius);
-	for (int i = 0; i < count; i++) {
-		const Photon *photon = &disc->sum.task->map->photons[found[i].index];
-		if (gather_accepts(disc->sum.task->point, photon, disc->radius))
-			gather_add(&disc->sum, photon,
-				   scale * kernel_value(disc->kernel, scale * found[i].distance2));
-	}
-}
-
-static void gather_disc(const Nearest *n, const GatherTask *task, GatherResult *result)
-{
-	Disc disc = {{.task = task}, n->radius, n->kernel};
-	Vec3 p = task->point->position;
-	float center[3] = {(float)p.x, (float)p.y, (float)p.z};
-	photon_tree_within(task->map->tree, center, (float)n->radius, add_within, &disc);
-	gather_finish(&disc.sum, n->radius, result);
+	(void)photon;
+	const Nearest *n = data;
+	double scale = 1 / (n->radius * n->radius);
+	return scale * kernel_value(n->kernel, scale * distance2);
 }
 
 /* ---- k nearest ---- */
@@ -79,10 +60,11 @@ static void gather_count(const Nearest *n, const GatherTask *task, GatherResult 
 {
 	Neighbor found[GATHER_ROOM(n->count)];
 	GatherSum sum = {.task = task};
+	Window pixel = window_around(task->point, 0);
 	double radius2;
 	int count = gather_nearest(task, n->count, n->radius, found, &radius2);
-	if (radius2 < gather_least_radius2(task->point)) {
-		gather_pixel(task, result);
+	if (radius2 < gather_least_radius2(&pixel)) {
+		gather_pixel(task, &pixel, result);
 		return;
 	}
 	if (!(radius2 > 0)) /* photons in one point: there is no area to have a density */
@@ -97,7 +79,7 @@ static void nearest_gather(const void *method, const GatherTask *task, GatherRes
 {
 	const Nearest *n = method;
 	if (n->count == 0)
-		gather_disc(n, task, result);
+		gather_within(task, n->radius, weight_in_disc, n, result);
 	else
 		gather_count(n, task, result);
 }

@@ -45,8 +45,3 @@ Window window_around(const GatherPoint *point, double least_width)
 		       0.5 * (fabs(s[0].z) + fabs(s[1].z)));
 	return w;
 }
-
-double window_reach(const Window *w)
-{
-	return vec3_length(w->reach);
-}

@@ -12,13 +12,13 @@
 typedef struct Window {
 	double at[3], x[3], y[3];
 	double area;
-	Vec3 reach; /* from at to the sides of the box around it */
+	Vec3 reach; /* from at to the sides of the box around it; its length: to the corners
+		     or a little farther */
 } Window;
 
-/* As the point's pixel lies on the surface, or a square when that is not known; at least so wide. */
+/* As the point's pixel lies on the surface, or a square when that is not known; at least so wide.
+ * Nothing is inside one without a width, whose area is 0. */
 Window window_around(const GatherPoint *point, double least_width);
-/* From at to the farthest corner, or a little more. */
-double window_reach(const Window *window);
 /* What leads from `from` to p, in the window's sides: with from = at, a place in the window. */
 static inline void window_measure(const Window *w, const double from[3], const float p[3],
 				  double *x, double *y)

@@ -67,7 +67,7 @@ static void gather_by_embree(Bench *b)
 		Vec3 p = b->points[i].position;
 		Gathering g = begin(b->footprints, &b->tasks[i]);
 		struct RTCPointQuery query = {(float)p.x, (float)p.y, (float)p.z, 0,
-					      (float)window_reach(&g.window)};
+					      (float)vec3_length(g.window.reach)};
 		Vec3 reach = vec3_all(sqrt(g.window.area / 2));
 		rtcPointQuery(b->scene, &query, &context, embree_visit, &g);
 		footprint_tree_visit(&b->footprints->disc_tree, box_around(p, reach), add_discs, &g);
