@@ -23,24 +23,17 @@ uint64_t photon_room(const Scene *scene)
 			      UINT32_MAX);
 }
 
-/* The aim that path number `path` of all belongs to. */
-static const PhotonAim *aim_of_path(const PhotonAims *aims, uint64_t path)
-{
-	int a = 0;
-	while (a + 1 < aims->count && aims->aims[a + 1].first <= path)
-		a++;
-	return &aims->aims[a];
-}
-
 double photon_room_forecast(const Scene *scene, const PhotonAims *aims,
 			    const PhotonTraceOptions *options)
 {
 	enum { PROBES = 256, PROBE_PATHS = 64 };
 	PhotonBuffer buffer = {.photons = NULL};
 	uint64_t paths = 0;
+	const PhotonAim *aim = aims->aims, *last = &aims->aims[aims->count - 1];
 	for (int i = 0; i < PROBES && !(options->stop && *options->stop); i++) {
 		uint64_t path = aims->paths / PROBES * (uint64_t)i;
-		const PhotonAim *aim = aim_of_path(aims, path);
+		while (aim < last && aim[1].first <= path)
+			aim++;
 		uint64_t first = path - aim->first, left = aim->paths - first;
 		uint64_t count = left < PROBE_PATHS ? left : PROBE_PATHS;
 		photon_paths(scene, aim, options, first, count, &buffer);
