@@ -68,9 +68,22 @@ static bool take_diffusivity(Cursor *cursor, Estimator *estimator)
 	return take_positive(cursor, &estimator->diffusivity);
 }
 
+/* Each place has so many patches over it as the square of their scale: hundreds are no longer looked
+ * through for each pixel in any time, and nothing of the caustic is left to see. */
+static const double MOST_SCALE = 10;
+
 static bool take_scale(Cursor *cursor, Estimator *estimator)
 {
-	return take_positive(cursor, &estimator->scale);
+	Location where = cursor_where(cursor);
+	double scale;
+	if (!take_positive(cursor, &scale))
+		return false;
+	if (scale <= MOST_SCALE)
+		estimator->scale = scale;
+	else
+		diag_error(cursor->context->diag, where, "this must be at most %g, not %g",
+			   MOST_SCALE, scale);
+	return scale <= MOST_SCALE;
 }
 
 static bool take_kernel(Cursor *cursor, Estimator *estimator)
