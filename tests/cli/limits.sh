@@ -17,6 +17,9 @@ refused()
 
 refused '^cognac: error: a picture of 1000000 x 1000000 pixels takes [0-9]* GB of memory; here are' \
 	ball.pov +W1000000 +H1000000
+refused '^cognac: error: a picture of 0 x 5 pixels cannot be rendered' ball.pov +W0 +H5
+refused '^cognac: error: --passes wants a whole number from 1 to 1000000000, not 0' \
+	caustic.pov --passes 0
 refused '^cognac: error: --passes wants a whole number from 1 to 1000000000, not 2000000000' \
 	caustic.pov --passes 2000000000
 
