@@ -4,6 +4,7 @@
 #include <stdint.h>
 #include <stdlib.h>
 
+#include "base/clock.h"
 #include "photon/path.h"
 
 /* Bytes a photon, at most, measured: kept and found again; while it is relaxed; as a corner of a
@@ -23,12 +24,13 @@ uint64_t photon_room(const Scene *scene)
 			      UINT32_MAX);
 }
 
-double photon_room_forecast(const Scene *scene, const PhotonAims *aims,
-			    const PhotonTraceOptions *options)
+PhotonForecast photon_room_forecast(const Scene *scene, const PhotonAims *aims,
+				    const PhotonTraceOptions *options)
 {
 	enum { PROBES = 256, PROBE_PATHS = 64 };
 	PhotonBuffer buffer = {.photons = NULL};
 	uint64_t paths = 0;
+	double before = clock_wall();
 	const PhotonAim *aim = aims->aims, *last = &aims->aims[aims->count - 1];
 	for (int i = 0; i < PROBES && !(options->stop && *options->stop); i++) {
 		uint64_t path = aims->paths / PROBES * (uint64_t)i;
@@ -39,9 +41,9 @@ double photon_room_forecast(const Scene *scene, const PhotonAims *aims,
 		photon_paths(scene, aim, options, first, count, &buffer);
 		paths += count;
 	}
-	double share = paths ? (double)buffer.count / (double)paths : 0;
 	free(buffer.photons);
-	return share * (double)aims->paths;
+	double scale = paths ? (double)aims->paths / (double)paths : 0;
+	return (PhotonForecast){scale * (double)buffer.count, scale * (clock_wall() - before)};
 }
 
 void photon_room_refuse(const Scene *scene, const PhotonAims *aims,
@@ -49,7 +51,7 @@ void photon_room_refuse(const Scene *scene, const PhotonAims *aims,
 {
 	static const double million = 1e6, giga = 1e9;
 	const PhotonSettings *settings = &scene->settings.photons;
-	double photons = photon_room_forecast(scene, aims, options);
+	double photons = photon_room_forecast(scene, aims, options).photons;
 	if (options->diag)
 		diag_error(options->diag, settings->where,
 			   "%.0f million paths would leave about %.0f million photons, which take "

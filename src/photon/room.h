@@ -10,9 +10,10 @@
 /* How many photons the machine has room for, with what the scene's relaxation and estimator make of
  * them; at most as many as 32 bits can number. */
 uint64_t photon_room(const Scene *scene);
-/* About how many photons all these paths leave, from a few of them, spread evenly; 0 when stopped.
- */
-double photon_room_forecast(const Scene *scene, const PhotonAims *aims,
+/* About how many photons all these paths leave, and the processor time they take, in seconds: from
+ * a few of them, spread evenly; zeros when stopped. */
+typedef struct PhotonForecast { double photons, seconds; } PhotonForecast;
+PhotonForecast photon_room_forecast(const Scene *scene, const PhotonAims *aims,
 			    const PhotonTraceOptions *options);
 /* Reports that these paths leave more photons than there is room for, at the place where the scene
  * asks for them. */

@@ -161,11 +161,26 @@ static void forget_emitters(PhotonMap *map)
 		memset(map->photons[i].emitter, 0, sizeof map->photons[i].emitter);
 }
 
+static void warn_of_hours(const Job *job, double seconds)
+{
+	static const double hour = 3600, million = 1e6;
+	double hours = seconds / parallel_threads() / hour;
+	if (hours > 1 && job->options->diag && job->options->pass == 0)
+		diag_warning(job->options->diag, job->scene->settings.photons.where,
+			     "%.0f million paths take about %.0f hours",
+			     (double)job->aims->paths / million, hours);
+}
+
 /* Only where one photon a path would be too many is it found out how many paths leave one. */
 static bool has_room(const Job *job)
 {
-	return job->aims->paths <= job->room ||
-	       photon_room_forecast(job->scene, job->aims, job->options) <= (double)job->room;
+	if (job->aims->paths <= job->room)
+		return true;
+	PhotonForecast forecast = photon_room_forecast(job->scene, job->aims, job->options);
+	if (forecast.photons > (double)job->room)
+		return false;
+	warn_of_hours(job, forecast.seconds);
+	return true;
 }
 
 /* NULL: stopped, or refused for want of memory. */

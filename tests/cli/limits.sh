@@ -33,4 +33,21 @@ grep -q 'which take 7[0-9][0-9] GB of memory; here are [0-9.]* GB, for [0-9]* mi
 refused '^many.pov:2:29: error: 2000 million paths' many.pov +W8 +H6 --passes 3
 sed 's/count 4000/spacing 1e-200/' caustic.pov >many.pov
 refused '^many.pov:2:29: error: 1000000000 million paths' many.pov +W8 +H6
+
+# Where they leave few, they are traced: it is told how long that takes, and a signal ends it.
+sed 's/^plane.*/disc { <20, -20, 0>, y, 1e-4 pigment { rgb 1 } }/' many.pov >long.pov
+"$COGNAC" long.pov +W8 +H6 +Onever.png >out 2>err &
+process=$!
+tries=0
+until grep -q '^long.pov:2:29: warning: 1000000000 million paths take about [0-9]* hours' err; do
+	tries=$((tries + 1))
+	[ $tries -lt 200 ] || break
+	sleep 0.1
+done
+kill -TERM "$process"
+wait "$process"
+got=$?
+[ $tries -lt 200 ] || fail "no word of how long it takes: $(cat err)"
+[ "$got" = 2 ] || fail "photons that are traced for long are stopped with status $got"
+[ ! -e never.png ] || fail "a picture is left of a stopped run"
 finish
