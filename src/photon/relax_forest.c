@@ -1,6 +1,7 @@
 #include "photon/relax_forest.h"
 
 #include <math.h>
+#include <stddef.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -58,6 +59,33 @@ static Place *make_places(const RelaxForest *forest)
 	return places;
 }
 
+/* Square sum of how far coordinates are from their means; offset: of the floats in a Place. */
+static double spread_of(const Place *places, uint32_t count, size_t offset)
+{
+	double sum[3] = {0, 0, 0}, squares = 0;
+	for (uint32_t i = 0; i < count; i++)
+		for (int k = 0; k < 3; k++)
+			sum[k] += (double)((const float *)((const char *)&places[i] + offset))[k];
+	for (uint32_t i = 0; i < count; i++) {
+		const float *at = (const float *)((const char *)&places[i] + offset);
+		for (int k = 0; k < 3; k++)
+			squares += pow((double)at[k] - sum[k] / count, 2);
+	}
+	return squares;
+}
+
+/*
+ * What makes both spaces as wide. Where light gathers or crosses itself, photons from all over the
+ * light lie in one place; leaves that are compact there alone hold some of any range, and a search
+ * would look into all of them.
+ */
+static float weigh_emitter(const Place *places, uint32_t count)
+{
+	double ratio = spread_of(places, count, offsetof(Place, position)) /
+		       spread_of(places, count, offsetof(Place, emitter));
+	return ratio > 0 && isfinite(ratio) ? (float)sqrt(ratio) : 1;
+}
+
 static PhotonTree *make_tree(const RelaxForest *forest, const Place *places, uint32_t count)
 {
 	TreePoints points = {
@@ -65,6 +93,7 @@ static PhotonTree *make_tree(const RelaxForest *forest, const Place *places, uin
 	if (forest->space == RELAX_PARAMETER) {
 		points.emitter = places->emitter;
 		points.light = &places->light;
+		points.emitter_weight = weigh_emitter(places, count);
 	}
 	return photon_tree_create(&points);
 }
