@@ -159,12 +159,20 @@ static Vec3 cone_normal(const void *data, const Hit *hit, Vec3 p)
 	return vec3_mad(across, -cone->slope * (cone->base_radius + cone->slope * z), cone->axis);
 }
 
+/* The ends. */
+static bool cone_flat_at(const void *data, const Hit *hit)
+{
+	(void)data;
+	return hit->part != PART_SIDE;
+}
+
 const ShapeClass cone_class = {
 	.name = "cone",
 	.bounds = cone_bounds,
 	.intersect = cone_intersect,
 	.inside = cone_inside,
 	.normal = cone_normal,
+	.flat_at = cone_flat_at,
 	.nearest = cone_nearest,
 };
 
@@ -174,5 +182,6 @@ const ShapeClass cylinder_class = {
 	.intersect = cone_intersect,
 	.inside = cone_inside,
 	.normal = cone_normal,
+	.flat_at = cone_flat_at,
 	.nearest = cone_nearest,
 };

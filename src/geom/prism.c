@@ -231,6 +231,14 @@ Vec3 prism_outward(const Prism *prism, const Hit *hit, Vec3 p)
 	return vec3(side * d.v, side * (d.u * at.v - d.v * at.u), -side * d.u);
 }
 
+bool prism_is_flat(const Prism *prism, const Hit *hit)
+{
+	if (hit->part < 0)
+		return true;
+	const CurveSegment *s = &prism->outline.segments[hit->part];
+	return s->u[2] == 0 && s->u[3] == 0 && s->v[2] == 0 && s->v[3] == 0;
+}
+
 /* ---- the class ---- */
 
 static bool prism_bounds(const void *data, Box3 *box)
@@ -254,10 +262,16 @@ static Vec3 prism_normal(const void *data, const Hit *hit, Vec3 p)
 	return prism_outward(data, hit, p);
 }
 
+static bool prism_flat_at(const void *data, const Hit *hit)
+{
+	return prism_is_flat(data, hit);
+}
+
 const ShapeClass prism_class = {
 	.name = "prism",
 	.bounds = prism_bounds,
 	.intersect = prism_intersect,
 	.inside = prism_inside,
 	.normal = prism_normal,
+	.flat_at = prism_flat_at,
 };

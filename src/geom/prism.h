@@ -15,6 +15,8 @@ void prism_box(const Prism *prism, Box3 *box);
 /* Pushes the crossings with hit's shape and v. */
 void prism_cross(const Prism *prism, const Ray *ray, Hit hit, HitList *out);
 bool prism_contains(const Prism *prism, Vec3 p);
+/* Whether the hit is on an end or a side of a straight piece of the outline. */
+bool prism_is_flat(const Prism *prism, const Hit *hit);
 Vec3 prism_outward(const Prism *prism, const Hit *hit, Vec3 p);
 
 #endif

@@ -204,6 +204,8 @@ Vec3 hit_shading_normal_anyhow(const Hit *hit, Vec3 world)
 bool hit_is_flat(const Hit *hit, Vec3 world, Vec3 shading)
 {
 	const ShapeClass *class = hit->shape->class;
+	if (class->flat_at)
+		return class->flat_at(hit->shape->data, hit);
 	if (!class->flat || !class->shading_normal)
 		return class->flat;
 	if (class->bent && class->bent(hit->shape->data, hit))

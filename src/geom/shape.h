@@ -113,6 +113,8 @@ struct ShapeClass {
 	int (*textures)(const void *data, const Hit *hit, Vec3 p, ShapeTextures *out);
 	/* Made of flat faces. */
 	bool flat;
+	/* Optional, where only some faces are flat: whether the hit's is. */
+	bool (*flat_at)(const void *data, const Hit *hit);
 	/* Optional, with shading_normal: true when that surely differs over the hit's face. */
 	bool (*bent)(const void *data, const Hit *hit);
 	/* nearest() costs about what a test against the box does, nobody need ask the box first;

@@ -203,11 +203,19 @@ static Vec2 sor_uv(const void *data, const Hit *hit, Vec3 p)
 		      (p.y - low_of(sor)) / (high_of(sor) - low_of(sor))};
 }
 
+/* The ends. */
+static bool sor_flat_at(const void *data, const Hit *hit)
+{
+	(void)data;
+	return hit->part < 0;
+}
+
 const ShapeClass sor_class = {
 	.name = "sor",
 	.bounds = sor_bounds,
 	.intersect = sor_intersect,
 	.inside = sor_inside,
 	.normal = sor_normal,
+	.flat_at = sor_flat_at,
 	.uv = sor_uv,
 };

@@ -255,10 +255,17 @@ static Vec3 text_normal(const void *data, const Hit *hit, Vec3 p)
 	return swap(prism_outward(text->letters[(int)hit->v].prism, hit, swap(p)));
 }
 
+static bool text_flat_at(const void *data, const Hit *hit)
+{
+	const Text *text = data;
+	return prism_is_flat(text->letters[(int)hit->v].prism, hit);
+}
+
 const ShapeClass text_class = {
 	.name = "text",
 	.bounds = text_bounds,
 	.intersect = text_intersect,
 	.inside = text_inside,
 	.normal = text_normal,
+	.flat_at = text_flat_at,
 };

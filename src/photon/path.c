@@ -99,8 +99,7 @@ static Photon *new_photon(PhotonBuffer *out)
 static uint64_t face_of(const Meeting *at)
 {
 	static const double steps = 65536; /* the faces' normals are told apart with */
-	const ShapeClass *class = at->hit->shape->class;
-	if (!class->flat || (class->shading_normal && !hit_is_flat(at->hit, at->place, at->normal)))
+	if (!hit_is_flat(at->hit, at->place, at->normal))
 		return 0;
 	return (uint64_t)llrint(steps * at->normal.x) +
 	       ((uint64_t)llrint(steps * at->normal.y) << 20) +

@@ -2,6 +2,8 @@
 #ifndef TESTS_UNIT_SHAPE_CHECK_H
 #define TESTS_UNIT_SHAPE_CHECK_H
 
+#include <string.h>
+
 #include "base/random.h"
 #include "geom/shape.h"
 #include "tests/unit/check.h"
@@ -107,6 +109,22 @@ static inline int test_transformed(const Shape *shape, const Ray *ray, const Hit
 	}
 	hit_list_free(&other);
 	return bad;
+}
+
+/* Which of a ray's crossings are on flat faces (f), and which are not (c). */
+static inline void check_flat(const Shape *shape, Ray ray, const char *wanted)
+{
+	HitList list;
+	hit_list_init(&list);
+	shape_intersect(shape, &ray, &list);
+	hit_list_sort(&list);
+	CHECK(list.count == (int)strlen(wanted));
+	for (int i = 0; i < list.count && wanted[i]; i++) {
+		Vec3 p = ray_at(&ray, list.hits[i].t);
+		bool flat = hit_is_flat(&list.hits[i], p, hit_shading_normal(&list.hits[i], p));
+		CHECK(flat == (wanted[i] == 'f'));
+	}
+	hit_list_free(&list);
 }
 
 /* Tries rays against the shape; rare misfits at grazing rays are forgiven, up to one ray in 200. */

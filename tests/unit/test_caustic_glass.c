@@ -150,8 +150,39 @@ static void test_pane(void)
 	}
 }
 
+/* ---- flat faces ---- */
+
+/* Through flat faces all parallel light that takes one way leaves in one direction. */
+static void test_faces(void)
+{
+	PhotonMap *map = caustic_trace(
+		"#version 3.7;\n"
+		"global_settings { photons { count 2000 } }\n"
+		"light_source { <3, 9, 1>, 1 parallel point_at 0 photons { refraction on } }\n"
+		"prism { 0, 2, 4, <0, 2>, <-2, -1>, <2, -1>, <0, 2> rotate z * 90\n"
+		"  pigment { rgbt 1 } finish { ambient 0 diffuse 0 } interior { ior 1.3 }\n"
+		"  photons { target refraction on collect off } }\n"
+		"plane { y, -5 pigment { rgb 1 } finish { diffuse 1 } }\n");
+	enum { WAYS = 65536 };
+	static const Photon *first[WAYS];
+	int ways = 0, astray = 0;
+	for (uint32_t i = 0; map && i < map->count; i++) {
+		const Photon *p = &map->photons[i];
+		if (!first[p->path])
+			ways++;
+		else
+			astray += vec3_distance(photon_direction(p),
+						photon_direction(first[p->path])) > 1e-3;
+		first[p->path] = p;
+	}
+	CHECK(ways >= 3);
+	CHECK(astray == 0);
+	photon_map_destroy(map);
+}
+
 int main(void)
 {
+	test_faces();
 	test_ball_focus();
 	test_ball_ring(1.1);
 	test_ball_ring(1.25);

@@ -118,6 +118,8 @@ static void test_cone(Arena *arena)
 			(double[]){1e6, 1e6 + 2}, 2);
 	shape = test_shape(&cylinder_class, data);
 	check_shape(&shape, &(ShapeTraits){.name = "cylinder", .size = 4, .step = 1e-6}, 2000);
+	check_flat(&shape, ray_from(vec3(-3, -1, -4), vec3(3, 0, 4)), "ff");
+	check_flat(&shape, ray_from(vec3(-3, -1.9, -4), vec3(3, 1, 4)), "fc");
 	desc = (ConeDesc){.base = {0, 0, 0}, .cap = {0, 0, 0}, .base_radius = 1, .cap_radius = 1};
 	CHECK(!cone_create(arena, &desc, &message));
 	/* Radii of different sign: two cones tip to tip. */

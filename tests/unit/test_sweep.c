@@ -106,6 +106,12 @@ static void test_prism(Arena *arena)
 		if (shape.data)
 			check_solid(&shape, names[i], 0.005);
 	}
+	Ray across = {{-9, 0.5, 0.1}, {1, 0, 0}, 0, 100}, up = {{0.1, -9, 0.2}, {0, 1, 0}, 0, 100};
+	for (int i = 0; i < 7; i += 5) {
+		Shape shape = test_shape(&prism_class, prism_create(arena, &descs[i], &error));
+		check_flat(&shape, across, i ? "cc" : "ff");
+		check_flat(&shape, up, "ff");
+	}
 	PrismDesc open = {CURVE_LINEAR, false, false, 0, 1, star, 9};
 	CHECK(!prism_create(arena, &open, &error) && error);
 }
@@ -160,6 +166,8 @@ static void test_sor(Arena *arena)
 	SorDesc closed = {vase, 6, false}, wrong = {falling, 4, false}, few = {vase, 3, false};
 	Shape shape = test_shape(&sor_class, sor_create(arena, &closed, &error));
 	check_solid(&shape, "sor", 0.005);
+	check_flat(&shape, (Ray){{0.1, -9, 0}, {0, 1, 0}, 0, 100}, "ff");
+	check_flat(&shape, (Ray){{-9, 1, 0}, {1, 0, 0}, 0, 100}, "cc");
 	CHECK(!sor_create(arena, &wrong, &error) && error);
 	CHECK(!sor_create(arena, &few, &error) && error);
 	Hit hit;
@@ -284,6 +292,9 @@ static void test_text(Arena *arena, const char *font)
 	fclose(file);
 	Shape shape = test_shape(&text_class, text_create(arena, &desc, &error));
 	check_solid(&shape, "text", 0.005);
+	Ray through = {{0.1, 0.35, -9}, {0, 0, 1}, 0, 100};
+	check_flat(&shape, through, "ff");
+	check_flat(&shape, (Ray){{-9, 0.35, 0.2}, {1, 0, 0}, 0, 9.5}, "cc");
 	CHECK_NEAR(shape.box.lo.z, 0, 1e-6);
 	CHECK_NEAR(shape.box.hi.z, 0.5, 1e-6);
 	CHECK(shape.box.hi.x > 1.8 && shape.box.hi.x < 2.2); /* three letters of some 0.65 em */
