@@ -1,5 +1,6 @@
-# Golden tests of what the reader says about mistakes: each errors/NAME.pov must give exactly errors/NAME.err on standard
-# error. `COGNAC=... SOURCES=... sh errors.sh --regenerate` writes the .err files anew: read the difference before committing it.
+# Golden tests of what the reader says about mistakes: each errors/NAME.pov must give exactly
+# errors/NAME.err on standard error. `COGNAC=... SOURCES=... sh errors.sh --regenerate` writes the
+# .err files anew: read the difference before committing it.
 cd "$SOURCES/tests/errors" || exit 1
 failures=0
 for scene in *.pov; do

@@ -1,6 +1,7 @@
 #!/bin/sh
-# Arrows between rooms only go down (README, Architecture): fails on an include that runs up, on Embree outside the
-# accelerator, and on C++ outside src/volume. A room may look into itself and into what the table names.
+# Arrows between rooms only go down (README, Architecture): fails on an include that runs up, on
+# Embree outside the accelerator, and on C++ outside src/volume. A room may look into itself and
+# into what the table names.
 cd "${srcdir:-.}" || exit 1
 
 # room: rooms it may look into, besides itself. Only the rooms that exist are checked.
@@ -16,7 +17,8 @@ allowed()
 	src/render) echo "$engine" src/photon src/network src/density ;;
 	lang) echo "$engine" src/image ;;
 	parser) echo "$engine" src/image lang ;;
-	src/cli) echo "$engine" src/photon src/network src/density src/render src/image lang parser ;;
+	src/cli) echo "$engine" src/photon src/network src/density src/render src/image lang \
+		parser ;;
 	esac
 }
 
@@ -50,7 +52,8 @@ for file in src/*/*.[ch] lang/*.[chly] parser/*.[chly]; do
 	done
 	case $file in
 	src/scene/accel*.[ch]) ;;
-	*) ! grep -q '^# *include *<embree' "$file" || complain "$file includes Embree: only the accelerator may" ;;
+	*) ! grep -q '^# *include *<embree' "$file" ||
+		complain "$file includes Embree: only the accelerator may" ;;
 	esac
 done
 for file in $(find src lang parser -name '*.cc' -o -name '*.cpp' -o -name '*.hpp'); do

@@ -6,7 +6,8 @@ pages="cognac.1 cognac-compare.1 cognac-layer.1 cognac-merge.1 cognac-language.5
 if command -v mandoc >/dev/null; then
 	for page in $pages; do
 		# Whether other pages are installed here is not this page's fault.
-		mandoc -T lint "$SOURCES/man/$page" 2>&1 | grep -v 'referenced manual not found\|mandoc.db' >lint
+		mandoc -T lint "$SOURCES/man/$page" 2>&1 |
+			grep -v 'referenced manual not found\|mandoc.db' >lint
 		[ ! -s lint ] || fail "$(cat lint)"
 	done
 fi
@@ -20,10 +21,13 @@ examples()
 
 # Every word of the language's extension and every long option has its place.
 for word in $(sed -n 's/^WORD(.*, "\(.*\)", WORD_EXTENSION)$/\1/p' "$SOURCES/lang/words.def"); do
-	grep -q "^\.\(Ic\|It Ic\) \(.* \)*$word\b" "$SOURCES/man/cognac-language.5" || fail "cognac-language.5 does not know $word"
+	grep -q "^\.\(Ic\|It Ic\) \(.* \)*$word\b" "$SOURCES/man/cognac-language.5" ||
+		fail "cognac-language.5 does not know $word"
 done
-for option in $(sed -n 's/^\t{"\([a-z-]*\)", .*, \(true\|false\)},$/\1/p' "$SOURCES/src/cli/words.c"); do
-	grep -q "^\.It.* Fl -$option\b" "$SOURCES/man/cognac.1" || fail "cognac.1 does not know --$option"
+options=$(sed -n 's/^\t{"\([a-z-]*\)", .*, \(true\|false\)},$/\1/p' "$SOURCES/src/cli/words.c")
+for option in $options; do
+	grep -q "^\.It.* Fl -$option\b" "$SOURCES/man/cognac.1" ||
+		fail "cognac.1 does not know --$option"
 done
 
 # Each line of the examples of a page is a command.
@@ -52,7 +56,8 @@ run_examples cognac-layer.1
 run_examples cognac-merge.1
 run_examples cognac-photons.7
 # Each example of the language is a scene.
-examples cognac-language.5 | awk 'BEGIN { n = 1 } /^---/ { n++; next } { print >("language" n ".pov") }'
+examples cognac-language.5 |
+	awk 'BEGIN { n = 1 } /^---/ { n++; next } { print >("language" n ".pov") }'
 [ -f language2.pov ] || fail "cognac-language.5 has too few examples"
 for scene in language*.pov; do
 	status 0 "$scene"

@@ -1,6 +1,6 @@
 #!/bin/sh
-# Measures noise, turbulence, warps and patterns with POV-Ray at a few points, and prints the lines of
-# tests/unit/pattern_data.h. Needs povray and its includes; no part of `make check`.
+# Measures noise, turbulence, warps and patterns with POV-Ray at a few points, and prints the lines
+# of tests/unit/pattern_data.h. Needs povray and its includes; no part of `make check`.
 #
 #   sh tests/measure_patterns.sh > tests/unit/pattern_data.h
 set -e
@@ -8,7 +8,8 @@ dir=$(mktemp -d)
 trap 'rm -rf "$dir"' EXIT
 points='<0.31,0.42,0.53> <-1.27,0.88,2.41> <3.19,-2.63,-0.77> <-7.3,5.9,11.7>'
 
-# One row of the table: number of the case, then the value at each point. $1 name, $2 the pattern's words.
+# One row of the table: number of the case, then the value at each point. $1 name, $2 the pattern's
+# words.
 row() {
 	{
 		echo '#version 3.7; global_settings { assumed_gamma 1 }'
@@ -20,7 +21,8 @@ row() {
 		done
 		echo '#fclose F'
 	} > "$dir/scene.pov"
-	(cd "$dir" && povray +Iscene.pov -F -D +W1 +H1 > log 2>&1) || { cat "$dir/log" >&2; exit 1; }
+	(cd "$dir" && povray +Iscene.pov -F -D +W1 +H1 > log 2>&1) ||
+		{ cat "$dir/log" >&2; exit 1; }
 	printf '\t{"%s", "%s",\n\t\t{%s}},\n' "$1" "$2" "$(sed 's/, $//' "$dir/out")"
 }
 
@@ -30,15 +32,18 @@ vector_row() {
 		echo '#version 3.7; global_settings { assumed_gamma 1 }'
 		echo '#fopen F "out" write'
 		for p in $points; do
-			echo "#write (F, \"\\t{\", vstr(3, vturbulence($1, $p), \", \", 0, 15), \"},\\n\")"
+			echo "#write (F, \"\\t{\"," \
+				"vstr(3, vturbulence($1, $p), \", \", 0, 15), \"},\\n\")"
 		done
 		echo '#fclose F'
 	} > "$dir/scene.pov"
-	(cd "$dir" && povray +Iscene.pov -F -D +W1 +H1 > log 2>&1) || { cat "$dir/log" >&2; exit 1; }
+	(cd "$dir" && povray +Iscene.pov -F -D +W1 +H1 > log 2>&1) ||
+		{ cat "$dir/log" >&2; exit 1; }
 	cat "$dir/out"
 }
 
-echo '/* Written by tests/measure_patterns.sh with POV-Ray 3.7.0.10: values at the four points of test_pattern.c. */'
+echo '/* Written by tests/measure_patterns.sh with POV-Ray 3.7.0.10: values at the four points of' \
+	'test_pattern.c. */'
 echo 'static const MeasuredPattern measured[] = {'
 while IFS='|' read -r name words; do
 	[ -z "$name" ] || row "$name" "$words"

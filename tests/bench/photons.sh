@@ -8,7 +8,8 @@ python3 "$SOURCES/tests/bench/photon_stage.py" --cognac "$COGNAC" --rays tests/b
 program=tests/bench/photon_tree
 missing=
 for header in nanoflann.hpp flann/flann.hpp lz4.h; do
-	echo "#include <$header>" | ${CXX:-c++} -fsyntax-only -x c++ - 2>/dev/null || missing="$missing $header"
+	echo "#include <$header>" | ${CXX:-c++} -fsyntax-only -x c++ - 2>/dev/null ||
+		missing="$missing $header"
 done
 if [ -n "$missing" ]; then
 	echo "bench-photons: these headers are missing:$missing"
@@ -16,7 +17,7 @@ if [ -n "$missing" ]; then
 	exit 1
 fi
 mkdir -p tests/bench
-${CXX:-c++} -O3 -fopenmp -I"$SOURCES/src" "$SOURCES/tests/bench/photon_tree.cc" libphoton.a libbase.a \
-	-llz4 -lm -o "$program"
+${CXX:-c++} -O3 -fopenmp -I"$SOURCES/src" "$SOURCES/tests/bench/photon_tree.cc" libphoton.a \
+	libbase.a -llz4 -lm -o "$program"
 "$program" "${RUNS:-5}"
 rm -f "$program"

@@ -23,8 +23,9 @@ plane { y, -1.5 pigment { rgb 1 } }
 END
 cat >tell.pov <<'END'
 #version 3.7;
-#debug concat("@", str(frame_number, 0, 0), " ", str(initial_frame, 0, 0), " ", str(final_frame, 0, 0), " ",
-  str(clock, 0, 5), " ", str(clock_delta, 0, 5), " ", str(clock_on, 0, 0), "\n")
+#debug concat("@", str(frame_number, 0, 0), " ", str(initial_frame, 0, 0), " ",
+  str(final_frame, 0, 0), " ", str(clock, 0, 5), " ", str(clock_delta, 0, 5), " ",
+  str(clock_on, 0, 0), "\n")
 END
 echo 'sphere { 0, 1 pigment { nonsense } }' >bad.pov
 

@@ -1,10 +1,11 @@
 #!/bin/sh
-# Every estimator on photons as they landed and relaxed, plain and under constraints, where one object among others keeps its own
-# in place: as much light as landed, the same picture.
+# Every estimator on photons as they landed and relaxed, plain and under constraints, where one
+# object among others keeps its own in place: as much light as landed, the same picture.
 . "$SOURCES/tests/cli/common.sh"
 
-# A ball's caustic, seen from above on a floor of two halves. A roof leaves a hole for the ball alone, and the ball's shadow is the
-# photons'; neither is seen, so the picture is the photons' light.
+# A ball's caustic, seen from above on a floor of two halves. A roof leaves a hole for the ball
+# alone, and the ball's shadow is the photons'; neither is seen, so the picture is the photons'
+# light.
 cat >floor.pov <<'END'
 #version unofficial cognac 1.0;
 #ifndef (Count) #declare Count = 10000; #end
@@ -43,7 +44,10 @@ difference {
   photons { collect off }
 }
 #macro Floor(From, To)
-  box { <From, -0.1, -9>, <To, 0, 9> pigment { rgb 1 } finish { ambient 0 diffuse 1 } photons { FloorPhotons() } }
+  box {
+    <From, -0.1, -9>, <To, 0, 9>
+    pigment { rgb 1 } finish { ambient 0 diffuse 1 } photons { FloorPhotons() }
+  }
 #end
 #macro FloorPhotons() relaxation off #if (Half) estimator { footprint } #end #end
 Floor(-9, 0)
@@ -62,7 +66,8 @@ balance()
 {
 	landed=$(sed -n 's/.*"flux": {.*"stored": \([-0-9.e]*\).*/\1/p' "$1")
 	tail -c $((96 * 96 * 6)) p.ppm | od -An -v -tu1 -w6 |
-		awk -v f="$landed" '{ s += 256 * $1 + $2 } END { print s / NR / 65535 * 3.2 * 3.2 / f }'
+		awk -v f="$landed" '{ s += 256 * $1 + $2 }
+			END { print s / NR / 65535 * 3.2 * 3.2 / f }'
 }
 
 # near WHAT TOLERANCE: the picture holds the light of the map at hand.
@@ -78,7 +83,8 @@ rmse()
 	"$COMPARE" --crop "$3,0,40,96" "$1" "$2" | awk '$1 == "RMSE" { print $2 }'
 }
 
-# A kernel of fixed width, or of each photon, keeps its light; k nearest photons know their own density with some bias.
+# A kernel of fixed width, or of each photon, keeps its light; k nearest photons know their own
+# density with some bias.
 for moved in 0 1 2; do
 	shoot Declare=Moved=$moved --photons $moved.ply
 	mv s.json $moved.json
@@ -94,10 +100,12 @@ for moved in 0 1 2; do
 	shoot Declare=Moved=$moved Declare=Half=1 --load-photons $moved.ply
 	near "two methods on map $moved" 0.05
 done
-# The picture's right half is the floor that keeps its photons. Kernels are no narrower than pixels, so what a photon's move
-# within one changes is small, but more than ten times what the other half may.
+# The picture's right half is the floor that keeps its photons. Kernels are no narrower than pixels,
+# so what a photon's move within one changes is small, but more than ten times what the other half
+# may.
 for moved in 1 2; do
-	awk "BEGIN { exit !($(rmse 0.ppm $moved.ppm 56) < 1e-5) }" || fail "photons that shall stay have moved"
+	awk "BEGIN { exit !($(rmse 0.ppm $moved.ppm 56) < 1e-5) }" ||
+		fail "photons that shall stay have moved"
 	awk "BEGIN { exit !($(rmse 0.ppm $moved.ppm 0) > 1e-4) }" || fail "no photon has moved"
 done
 finish

@@ -30,7 +30,8 @@ size '9 7' size.ini +O-
 size '16 12' 'size.ini[big]' +O-
 size '16 12' 'size.ini[BIG]' +O-
 size '9 7' 'size.ini[none]'
-grep -qx 'cognac: warning: size.ini has no section \[none\]' err || fail "no word of a missing section: $(cat err)"
+grep -qx 'cognac: warning: size.ini has no section \[none\]' err ||
+	fail "no word of a missing section: $(cat err)"
 size '3 2' 'size.ini[other]'
 size '5 7' size.ini +W5
 size '9 7' +W5 size.ini
@@ -54,7 +55,8 @@ status 1 ball.pov loop.ini
 
 status 0 ball.pov +W9 +H8 +A0.2 Declare=q=3 +GIagain.ini
 status 0 again.ini
-grep -q '^Width=9' again.ini && grep -q '^Declare=q=3' again.ini || fail "again.ini lacks what was said"
+grep -q '^Width=9' again.ini && grep -q '^Declare=q=3' again.ini ||
+	fail "again.ini lacks what was said"
 
 cat >shell.ini <<'END'
 Pre_Scene_Command=echo pre %s %w >>log

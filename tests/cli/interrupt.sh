@@ -1,6 +1,6 @@
 #!/bin/sh
-# Stopping by a signal: status 2, nothing left; with +C the picture so far, and the next run goes on from it to the same
-# picture that an undisturbed run makes.
+# Stopping by a signal: status 2, nothing left; with +C the picture so far, and the next run goes on
+# from it to the same picture that an undisturbed run makes.
 . "$SOURCES/tests/cli/common.sh"
 
 cat >slow.pov <<'END'
@@ -42,7 +42,8 @@ got=$?
 size='+W320 +H240'
 echo '// changed' >>slow.pov
 "$COGNAC" slow.pov $size +C +Osoon.png >out 2>err && fail "goes on with the state of another scene"
-grep -q 'differ; without +C the picture is begun anew$' err || fail "another scene's state is told as $(cat err)"
+grep -q 'differ; without +C the picture is begun anew$' err ||
+	fail "another scene's state is told as $(cat err)"
 # shellcheck disable=SC2086
 "$COGNAC" ball.pov $size +Osoon.png >out 2>err || fail "cannot begin anew: $(head -n 1 err)"
 [ ! -e soon.png.state ] || fail "a picture that is begun anew leaves the old state"
@@ -67,7 +68,8 @@ passes +Oafter.exr --passes 2
 [ -s after.exr.state ] || fail "passes keep no state"
 passes +Oafter.exr --passes 5
 passes +Oat_once.exr --passes 5
-"$COMPARE" --layer caustic after.exr at_once.exr | grep -qx 'MSE 0' || fail "passes go on to another picture"
+"$COMPARE" --layer caustic after.exr at_once.exr | grep -qx 'MSE 0' ||
+	fail "passes go on to another picture"
 # header FILE NAME: the number of that name. Names stand right behind the value before.
 header()
 {
@@ -76,5 +78,6 @@ header()
 [ "$(header after.exr passes)" = 5 ] || fail "the header tells of $(header after.exr passes) passes"
 passes +Oafter.exr --passes 5
 radius=$(header at_once.exr radius)
-[ "$radius" ] && [ "$(header after.exr radius)" = "$radius" ] || fail "the header forgets the last radius"
+[ "$radius" ] && [ "$(header after.exr radius)" = "$radius" ] ||
+	fail "the header forgets the last radius"
 finish

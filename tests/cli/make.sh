@@ -1,5 +1,6 @@
 #!/bin/sh
-# How makefiles and scripts call it: rules, a target a frame, processes side by side, INI files of programs.
+# How makefiles and scripts call it: rules, a target a frame, processes side by side, INI files of
+# programs.
 . "$SOURCES/tests/cli/common.sh"
 
 unset MAKEFLAGS MFLAGS
@@ -72,8 +73,10 @@ Verbose=False
 END
 rm ball.png
 cognac ase.ini >out 2>err || fail "an INI file of a program: $(cat err)"
-[ -s ball.png ] && [ ! -s out ] || fail "an INI file of a program: no picture, or words on standard output"
-POVINI=nowhere.ini cognac ball.pov +W8 +H6 >out 2>err || fail "a POVINI that is not there stops the render"
+[ -s ball.png ] && [ ! -s out ] ||
+	fail "an INI file of a program: no picture, or words on standard output"
+POVINI=nowhere.ini cognac ball.pov +W8 +H6 >out 2>err ||
+	fail "a POVINI that is not there stops the render"
 grep -q nowhere.ini err || fail "a POVINI that is not there is not named"
 
 # A part keeps the picture's full size.

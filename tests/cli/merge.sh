@@ -43,7 +43,8 @@ grep -q 'no part holds the pixel 0, 0' err || fail "the gap is not named: $(cat 
 parts E exr +UA
 merge 0 -o merged.exr lower.exr upper.exr
 for layer in RGBA albedo N; do
-	"$COMPARE" --layer $layer merged.exr whole.exr | grep -qx 'MSE 0' || fail "layer $layer differs"
+	"$COMPARE" --layer $layer merged.exr whole.exr | grep -qx 'MSE 0' ||
+		fail "layer $layer differs"
 done
 ! grep -q region merged.exr || fail "the merged picture says that it is a part"
 

@@ -1,5 +1,6 @@
 #!/bin/sh
-# Pictures: formats, standard output and input, parts, statistics, nothing left after an error, the same for any threads.
+# Pictures: formats, standard output and input, parts, statistics, nothing left after an error, the
+# same for any threads.
 . "$SOURCES/tests/cli/common.sh"
 
 for type in N8 N16 T C P P16 B J E; do
@@ -11,11 +12,14 @@ for file in format_N8.png format_T.tga format_C.tga format_P.ppm format_B.bmp; d
 done
 "$COMPARE" --layer Z format_E.exr format_E.exr >out || fail "no layer Z"
 "$COMPARE" --layer albedo format_E.exr format_E.exr >out || fail "no layer albedo"
-! "$COMPARE" --layer nonsense format_E.exr format_E.exr >out 2>&1 || fail "a layer that is not there"
+! "$COMPARE" --layer nonsense format_E.exr format_E.exr >out 2>&1 ||
+	fail "a layer that is not there"
 ! "$COMPARE" plain.png missing.png >out 2>&1 || fail "comparing with nothing"
-"$COMPARE" --json --crop 4,4,8,8 --halve --map map.png format_J.jpg plain.png >out || fail "cognac-compare's options"
+"$COMPARE" --json --crop 4,4,8,8 --halve --map map.png format_J.jpg plain.png >out ||
+	fail "cognac-compare's options"
 ! "$COMPARE" --crop 4,4,8 format_J.jpg plain.png >never 2>err || fail "a crop of three numbers"
-grep -q 'cognac-compare: --crop wants X,Y,W,H, not 4,4,8' err || fail "a bad crop is told as $(cat err)"
+grep -q 'cognac-compare: --crop wants X,Y,W,H, not 4,4,8' err ||
+	fail "a bad crop is told as $(cat err)"
 grep -q '"SSIM": 0.9' out || fail "JPEG is not close: $(cat out)"
 [ -s map.png ] || fail "no map"
 
@@ -23,7 +27,8 @@ status 0 ball.pov +W32 +H24 +FP +O-
 same out format_P.ppm "standard output"
 "$COGNAC" +I- +W32 +H24 +FP +O- <ball.pov >out 2>err || fail "standard input: $(head -n 1 err)"
 same out format_P.ppm "standard input"
-"$COGNAC" +I- +W32 +H24 +FP <ball.pov 2>err && same stdin.ppm format_P.ppm "a name for standard input"
+"$COGNAC" +I- +W32 +H24 +FP <ball.pov 2>err &&
+	same stdin.ppm format_P.ppm "a name for standard input"
 
 status 0 ball.pov +W32 +H24 +FP +WT1 +Oone
 status 0 ball.pov +W32 +H24 +FP +WT3 +Othree
@@ -31,7 +36,8 @@ same one.ppm three.ppm "one and three threads"
 
 # A part: its own pixels as in the whole, the rest black.
 status 0 ball.pov +W32 +H24 +SC9 +EC24 +SR0.25 +ER0.75 +Opart.png
-"$COMPARE" --crop 8,6,16,12 part.png plain.png | grep -qx 'MSE 0' || fail "the part differs from the whole"
+"$COMPARE" --crop 8,6,16,12 part.png plain.png | grep -qx 'MSE 0' ||
+	fail "the part differs from the whole"
 status 0 ball.pov +W32 +H24 +SC9 +EC8 +Oempty.png
 "$COMPARE" --crop 0,0,8,24 part.png empty.png | grep -qx 'MSE 0' || fail "not black beside the part"
 
@@ -43,11 +49,13 @@ camera { location -z * 4 look_at 0 }
 background { color rgbft <1, 1, 1, 0.25, 0.5> }
 END
 status 0 back.pov +W1 +H1 +FP +Oback
-[ "$(tail -c 3 back.ppm | od -An -tu1 | tr -d ' ')" = 188188188 ] || fail "the background shines through wrongly"
+[ "$(tail -c 3 back.ppm | od -An -tu1 | tr -d ' ')" = 188188188 ] ||
+	fail "the background shines through wrongly"
 
 status 1 bad.pov +Obad
 status 1 bad.pov +Obad --stats bad.json
-[ ! -e bad.png ] && [ -z "$(ls | grep 'bad\.png')" ] || fail "a picture is left after an error: $(ls)"
+[ ! -e bad.png ] && [ -z "$(ls | grep 'bad\.png')" ] ||
+	fail "a picture is left after an error: $(ls)"
 grep -q '"status": "failed"' bad.json || fail "no statistics of a failed run"
 mkdir ro && chmod 555 ro
 [ "$(id -u)" = 0 ] || status 1 ball.pov +Oro/x
@@ -64,7 +72,8 @@ same keep.png plain.png "the old picture after an error"
 status 0 ball.pov +W8 +C +Okeep
 same keep.png plain.png "the old picture with +C"
 
-# A scene without #version has the gamma of scenes before 3.7; one with only the unofficial version that of 3.7.
+# A scene without #version has the gamma of scenes before 3.7; one with only the unofficial version
+# that of 3.7.
 sed 1d ball.pov >unsaid.pov
 { echo '#version 3.6;'; cat unsaid.pov; } >older.pov
 { echo '#version unofficial cognac 1.0;'; cat unsaid.pov; } >cognac.pov

@@ -1,6 +1,7 @@
 #!/bin/sh
-# Nothing hides in absolute units: a scene a thousand times as large or as small, its fading with it, is the same picture, by every
-# estimator and after relaxation. Photons' places are single precision numbers, so a few of them go another way at an edge.
+# Nothing hides in absolute units: a scene a thousand times as large or as small, its fading with
+# it, is the same picture, by every estimator and after relaxation. Photons' places are single
+# precision numbers, so a few of them go another way at an edge.
 . "$SOURCES/tests/cli/common.sh"
 
 cat >ball.pov <<'END'
@@ -37,12 +38,14 @@ for method in 0 1 2 3 4 5 6 7; do
 	status 0 ball.pov +W64 +H64 +Oone.exr +FE "Declare=Method=$method"
 	[ "$method" = 0 ] && cp one.exr first.exr
 	for unit in 1000 0.001; do
-		status 0 ball.pov +W64 +H64 +Oother.exr +FE "Declare=Method=$method" "Declare=Unit=$unit"
+		status 0 ball.pov +W64 +H64 +Oother.exr +FE "Declare=Method=$method" \
+			"Declare=Unit=$unit"
 		"$COMPARE" one.exr other.exr --layer caustic >compared
 		awk '$1 == "SSIM" && $2 > 0.995 { good = 1 } END { exit !good }' compared ||
 			fail "method $method in units of $unit: $(tr '\n' ' ' <compared)"
 	done
 done
 # Pictures that differ are told apart.
-"$COMPARE" first.exr one.exr --layer caustic | awk '$1 == "SSIM" { exit !($2 < 0.99) }' || fail "the comparison sees nothing"
+"$COMPARE" first.exr one.exr --layer caustic | awk '$1 == "SSIM" { exit !($2 < 0.99) }' ||
+	fail "the comparison sees nothing"
 finish

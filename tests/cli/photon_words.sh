@@ -1,8 +1,10 @@
 #!/bin/sh
-# What each of POV-Ray's words about photons does, on a scene of its own: a small clear pane or ball over a white floor.
+# What each of POV-Ray's words about photons does, on a scene of its own: a small clear pane or ball
+# over a white floor.
 . "$SOURCES/tests/cli/common.sh"
 
-# scene GLOBAL LIGHT OBJECT [MORE]: writes words.pov with these words in the three photons blocks, and more items.
+# scene GLOBAL LIGHT OBJECT [MORE]: writes words.pov with these words in the three photons blocks,
+# and more items.
 scene()
 {
 	cat >words.pov <<-END_OF_SCENE
@@ -13,7 +15,8 @@ scene()
 	plane { y, 0 pigment { rgb 1 } finish { ambient 0 diffuse 1 } }
 	object {
 	  #ifdef (Thing) Thing #else box { <-1, 4, -1>, <1, 4.1, 1> } #end
-	  pigment { rgbt 1 } finish { ambient 0 diffuse 0 reflection 0.2 conserve_energy } interior { ior 1.5 }
+	  pigment { rgbt 1 } finish { ambient 0 diffuse 0 reflection 0.2 conserve_energy }
+	  interior { ior 1.5 }
 	  photons { $3 }
 	}
 	$4
@@ -42,7 +45,8 @@ flux()
 # near WHAT GOT WANTED [TOLERANCE]: within one part in a hundred.
 near()
 {
-	awk "BEGIN { d = ($2 + 0) - ($3); exit !(d * d <= (${4:-0.01} * ($3)) ^ 2) }" || fail "$1 is $2, not $3"
+	awk "BEGIN { d = ($2 + 0) - ($3); exit !(d * d <= (${4:-0.01} * ($3)) ^ 2) }" ||
+		fail "$1 is $2, not $3"
 }
 
 # holds WHAT CONDITION
@@ -51,15 +55,18 @@ holds()
 	awk "BEGIN { exit !($2) }" || fail "$1: not $2"
 }
 
-# The picture's mean, 0 to 1; that of its middle, where no border is near; how much pixels differ there.
+# The picture's mean, 0 to 1; that of its middle, where no border is near; how much pixels differ
+# there.
 mean()
 {
-	tail -c 6144 "${1:-p.ppm}" | od -An -v -tu1 -w6 | awk '{ s += 256 * $1 + $2 } END { print s / NR / 65535 }'
+	tail -c 6144 "${1:-p.ppm}" |
+		od -An -v -tu1 -w6 | awk '{ s += 256 * $1 + $2 } END { print s / NR / 65535 }'
 }
 middle()
 {
 	tail -c 6144 "${1:-p.ppm}" | od -An -v -tu1 -w6 | awk '
-		int(NR / 32) >= 11 && int(NR / 32) < 20 && NR % 32 >= 11 && NR % 32 < 20 { n++; s += 256 * $1 + $2 }
+		int(NR / 32) >= 11 && int(NR / 32) < 20 && NR % 32 >= 11 && NR % 32 < 20 {
+			n++; s += 256 * $1 + $2 }
 		END { print s / n / 65535 }'
 }
 noise()
@@ -75,11 +82,13 @@ target="target $both collect off"
 
 # ---- how many ----
 scene 'count 20000' "$both" "$target"
-near "paths at the pane's box, for a count of 20000" "$(statistic absorbed) + $(statistic escaped)" 20000 0.1
+near "paths at the pane's box, for a count of 20000" \
+	"$(statistic absorbed) + $(statistic escaped)" 20000 0.1
 bright=$(mean)
 holds "the pane's light" "$bright > 0.05"
 scene 'spacing 0.02' "$both" "$target"; coarse=$(statistic paths)
-near "one photon in each square of the spacing" "$(statistic absorbed) + $(statistic escaped)" '4 / 0.02 ^ 2' 0.1
+near "one photon in each square of the spacing" "$(statistic absorbed) + $(statistic escaped)" \
+	'4 / 0.02 ^ 2' 0.1
 near "brightness with spacing" "$(mean)" "$bright"
 scene 'spacing 0.01' "$both" "$target"
 near "paths with half the spacing" "$(statistic paths)" "4 * $coarse"
@@ -96,7 +105,8 @@ scene 'count 20000' "$both" 'target'
 [ "$(statistic paths)" = 0 ] || fail "a target that neither refracts nor reflects is shot at"
 scene 'count 20000' 'refraction on reflection off' "$target"; through=$(flux stored)
 scene 'count 20000' "$both" 'target refraction on reflection off collect off'
-[ "$(flux stored)" = "$through" ] || fail "reflection off means something else for lights and objects"
+[ "$(flux stored)" = "$through" ] ||
+	fail "reflection off means something else for lights and objects"
 near "light through two faces without reflection" "$through / ($(flux emitted))" '0.8 * 0.8' 0.02
 scene 'count 20000' 'refraction off reflection on' "$target"
 [ "$(statistic stored)" = 0 ] || fail "refraction off refracts"
@@ -105,9 +115,13 @@ near "light that the upper face reflects" "$(flux escaped)" "0.2 * $(flux emitte
 # ---- how far along the path ----
 for levels in 1 2 3 4 5; do
 	scene "count 20000 max_trace_level $levels" "$both" "$target"
-	[ "$levels" -lt 3 ] && holds "$levels levels do not come through" "$(flux stored) < 0.001 * $(flux emitted)"
-	[ "$levels" = 3 ] && { near "light of three levels" "$(flux stored) / $(flux emitted)" '0.8 * 0.8' 0.02; }
-	[ "$levels" = 5 ] && { near "light of five levels" "$(flux stored) / $(flux emitted)" '0.8 * 0.8 * 1.04' 0.02; }
+	[ "$levels" -lt 3 ] &&
+		holds "$levels levels do not come through" \
+		"$(flux stored) < 0.001 * $(flux emitted)"
+	[ "$levels" = 3 ] && near "light of three levels" "$(flux stored) / $(flux emitted)" \
+		'0.8 * 0.8' 0.02
+	[ "$levels" = 5 ] && near "light of five levels" "$(flux stored) / $(flux emitted)" \
+		'0.8 * 0.8 * 1.04' 0.02
 done
 scene 'count 20000 adc_bailout 0.5' "$both" "$target"; few=$(statistic segments)
 near "light with adc_bailout 0.5" "$(flux stored) / $(flux emitted)" '0.8 / 1.2' 0.03
@@ -121,13 +135,15 @@ scene 'count 20000 jitter 1' "$both" "$target"
 cmp -s p.ppm even.ppm && fail "jitter does nothing"
 near "brightness with jitter" "$(mean)" "$bright"
 # A ring with a wide box; POV-Ray 3.7 shoots so many photons, and stores as many each time.
-ring='#declare Thing = difference { cylinder { 4 * y, 4.1 * y, 2 } cylinder { 3.9 * y, 4.2 * y, 1.5 } }'
+ring='#declare Thing = difference {
+	cylinder { 4 * y, 4.1 * y, 2 } cylinder { 3.9 * y, 4.2 * y, 1.5 } }'
 for case in '1 63625' '0 31689' '0.9 51763'; do
 	cat >ring.pov <<-END_OF_SCENE
 	$ring
 	#include "words.pov"
 	END_OF_SCENE
-	scene "spacing 0.02 autostop ${case% *}" 'refraction on reflection off' 'target refraction on collect off'
+	scene "spacing 0.02 autostop ${case% *}" 'refraction on reflection off' \
+		'target refraction on collect off'
 	status 0 ring.pov +W32 +H32 +FP16 File_Gamma=1 +Op.ppm --stats s.json
 	near "paths with autostop ${case% *}" "$(statistic paths)" "${case#* }" 0.03
 	[ "${case% *}" = 1 ] && whole=$(flux emitted)
@@ -140,15 +156,19 @@ scene 'count 20000 gather 20, 25' "$both" "$target"; narrow=$(noise)
 holds "fewer photons are noisier" "$narrow > 2 * $wide"
 scene 'count 20000 gather 1, 9000 radius 0.02' "$both" "$target"; narrow=$(noise)
 scene 'count 20000 gather 1, 9000 radius 0.02, 3' "$both" "$target"
-holds "three times the radius has a third of the noise" "$(noise) < 0.5 * $narrow && $(noise) > 0.15 * $narrow"
+holds "three times the radius has a third of the noise" \
+	"$(noise) < 0.5 * $narrow && $(noise) > 0.15 * $narrow"
 near "brightness with a radius" "$(mean)" "$bright" 0.02
-# Beyond the pane's edge the first disc is empty; the second is as dense as allowed, or has too few photons to be believed.
-scene 'count 20000 gather 20, 9000 radius 0.1 expand_thresholds 0.2, 100000' "$both" "$target"; spread=$(mean)
+# Beyond the pane's edge the first disc is empty; the second is as dense as allowed, or has too few
+# photons to be believed.
+scene 'count 20000 gather 20, 9000 radius 0.1 expand_thresholds 0.2, 100000' "$both" "$target"
+spread=$(mean)
 scene 'count 20000 gather 20, 9000 radius 0.1 expand_thresholds 0.2, 0' "$both" "$target"
 holds "expand_thresholds keeps the light in its borders" "$(mean) < 0.99 * $spread"
 
 # ---- lights ----
-scene 'count 20000' "$both share 3" "$target" 'light_source { <5, 20, 0>, 0.5 photons { refraction on } }'
+scene 'count 20000' "$both share 3" "$target" \
+	'light_source { <5, 20, 0>, 0.5 photons { refraction on } }'
 cp s.json three.json
 shoot --photons share.ply
 python3 - share.ply <<'END_OF_PYTHON' || fail "share 3 does not mean three times the paths"
@@ -156,7 +176,8 @@ import sys
 text = open(sys.argv[1], "rb").read()
 head, body = text.split(b"end_header\n", 1)
 lights = body[-2 * (len(body) // 1):]
-kinds = {b"float": 4, b"uchar": 1, b"uint": 4, b"ushort": 2, b"double": 8, b"int": 4, b"float32": 4, b"uint8": 1, b"uint16": 2,
+kinds = {b"float": 4, b"uchar": 1, b"uint": 4, b"ushort": 2, b"double": 8, b"int": 4,
+         b"float32": 4, b"uint8": 1, b"uint16": 2,
          b"uint32": 4, b"float64": 8}
 elements = []
 for line in head.splitlines():
@@ -204,10 +225,13 @@ same saved.ppm p.ppm "a map that the command line loads"
 # ---- without the extension its words are names, with it POV-Ray's stay what they are ----
 cat >names.pov <<'END_OF_SCENE'
 #version 3.7;
-#declare nearest = 1; #declare diffusion = 2; #declare footprint = 3; #declare estimator = 4; #declare relaxation = 5;
+#declare nearest = 1; #declare diffusion = 2; #declare footprint = 3; #declare estimator = 4;
+#declare relaxation = 5;
 #declare progressive = 6; #declare kernel = 7; #declare share = 8; #declare passes = 9;
-#declare constrained = 11; #declare emitter_coordinates = 12; #declare reduction = 13; #declare neighbors = 14;
-#declare Sum = nearest + diffusion + footprint + estimator + relaxation + progressive + kernel + share + passes +
+#declare constrained = 11; #declare emitter_coordinates = 12; #declare reduction = 13;
+#declare neighbors = 14;
+#declare Sum = nearest + diffusion + footprint + estimator + relaxation + progressive +
+  kernel + share + passes +
   constrained + emitter_coordinates + reduction + neighbors;
 #if (Sum != 95) #error "the names are not numbers" #end
 global_settings { photons { count 1000 } }
@@ -217,7 +241,8 @@ sed 's/3\.7/unofficial cognac 1.0/' names.pov >words_on.pov
 status 1 words_on.pov -F
 
 # ---- estimators of the scene and of an object, by name as well ----
-for estimator in 'nearest { count 30 kernel cone }' 'diffusion { count 100 diffusivity 1 }' 'footprint'; do
+for estimator in 'nearest { count 30 kernel cone }' 'diffusion { count 100 diffusivity 1 }' \
+	'footprint'; do
 	scene "count 20000 estimator { $estimator }" "$both" "$target"; cp p.ppm global.ppm
 	near "brightness with $estimator" "$(middle)" '0.5 * 0.8 * 0.8 * 1.04' 0.04
 	scene 'count 20000' "$both" "$target"

@@ -1,8 +1,10 @@
 #!/bin/sh
-# Photons: how much light lands and where, against closed forms; who gets photons; map files; passes; the same for any threads.
+# Photons: how much light lands and where, against closed forms; who gets photons; map files;
+# passes; the same for any threads.
 . "$SOURCES/tests/cli/common.sh"
 
-# A pane of 2 x 2 over a white floor, light at <0, 10, 0>; each part can be replaced from the command line.
+# A pane of 2 x 2 over a white floor, light at <0, 10, 0>; each part can be replaced from the
+# command line.
 cat >pane.pov <<'END'
 #version unofficial cognac 1.0;
 #ifndef (Kind) #declare Kind = 0; #end
@@ -73,14 +75,16 @@ statistic()
 # near WHAT GOT WANTED [TOLERANCE]: within one part in a hundred.
 near()
 {
-	awk "BEGIN { d = ($2 + 0) - ($3); exit !(d * d <= (${4:-0.01} * ($3)) ^ 2) }" || fail "$1 is $2, not $3"
+	awk "BEGIN { d = ($2 + 0) - ($3); exit !(d * d <= (${4:-0.01} * ($3)) ^ 2) }" ||
+		fail "$1 is $2, not $3"
 }
 
 # The mean of a 16-bit picture's channel, 0 to 2, in 0 to 1.
 channel()
 {
 	tail -c 6144 "${2:-p.ppm}" | od -An -v -tu1 -w6 |
-		awk -v c="$1" '{ s += 256 * $(2 * c + 1) + $(2 * c + 2) } END { print s / NR / 65535 }'
+		awk -v c="$1" '{ s += 256 * $(2 * c + 1) + $(2 * c + 2) }
+			END { print s / NR / 65535 }'
 }
 
 balance()
@@ -95,9 +99,12 @@ flux()
 	sed -n 's/.*"flux": {\(.*\)}}.*/\1/p' s.json | tr ',' '\n' | sed -n "s/^ *\"$1\": *//p"
 }
 
-# ---- energy: the pane's share of the sphere, the disc or the plane, at the first surface, 4.99 from a point light ----
+# ---- energy: the pane's share of the sphere, the disc or the plane, at the first surface, 4.99
+# from a point light ----
 side=$(awk 'BEGIN { h = 4.99; n = 400; for (i = 0; i < n; i++) for (j = 0; j < n; j++) {
-	x = -1 + (i + 0.5) * 2 / n; z = -1 + (j + 0.5) * 2 / n; s += h / sqrt(x * x + h * h + z * z) } print s * 4 / n / n }')
+	x = -1 + (i + 0.5) * 2 / n; z = -1 + (j + 0.5) * 2 / n
+	s += h / sqrt(x * x + h * h + z * z) }
+	print s * 4 / n / n }')
 for ior in 1.0001 1.5; do
 	shoot Declare=Ior=$ior
 	near "point light, flux, ior $ior" "$(flux emitted)" "0.5 * $side"
@@ -108,7 +115,8 @@ for ior in 1.0001 1.5; do
 	near "parallel light, landed, ior $ior" "$(flux stored)" "0.5 * 4"
 	near "parallel light, brightness, ior $ior" "$(channel 0)" 0.5
 	shoot Declare=Kind=2 Declare=Ior=$ior
-	near "spotlight, flux, ior $ior" "$(flux emitted)" "0.5 * 6.283185 * 4.99 ^ 2 * (1 / cos(0.05235988) - 1)"
+	near "spotlight, flux, ior $ior" "$(flux emitted)" \
+		"0.5 * 6.283185 * 4.99 ^ 2 * (1 / cos(0.05235988) - 1)"
 	balance "spotlight, ior $ior"
 done
 # As bright as without the pane, for lights that fade with the square of the distance as well.
@@ -130,20 +138,25 @@ mv p.ppm unit.ppm
 for unit in 1000 0.001; do
 	shoot Declare=Fade=4 Declare=Unit=$unit
 	near "brightness in units of $unit" "$(channel 0)" "$(channel 0 unit.ppm)" 0.001
-	"$COMPARE" unit.ppm p.ppm | awk '$1 == "SSIM" { exit !($2 > 0.98) }' || fail "in units of $unit the picture differs"
+	"$COMPARE" unit.ppm p.ppm | awk '$1 == "SSIM" { exit !($2 > 0.98) }' ||
+		fail "in units of $unit the picture differs"
 done
 
 # ---- who gets photons ----
 shoot; all=$(statistic stored)
 shoot Declare=Case=1; near "photons with light_group" "$(flux emitted)" "0.5 * $side"
-[ "$(statistic stored)" = 0 ] || fail "photons of a light_group lie on what the group does not light"
+[ "$(statistic stored)" = 0 ] ||
+	fail "photons of a light_group lie on what the group does not light"
 shoot Declare=Case=2; [ "$(statistic stored)" = "$all" ] || fail "no_image changes the photons"
 shoot Declare=Case=3; [ "$(statistic stored)" = 0 ] || fail "photons pass an opaque roof"
-shoot Declare=Case=4; [ "$(statistic stored)" = "$all" ] || fail "photons do not pass a roof with no_shadow"
+shoot Declare=Case=4; [ "$(statistic stored)" = "$all" ] ||
+	fail "photons do not pass a roof with no_shadow"
 # POV-Ray tints what passes, once for each surface: 0.1245 was measured.
-shoot Declare=Case=6; near "brightness below a grey roof with pass_through" "$(channel 0)" "0.5 * 0.5 ^ 2"
+shoot Declare=Case=6
+near "brightness below a grey roof with pass_through" "$(channel 0)" "0.5 * 0.5 ^ 2"
 [ "$(statistic stored)" = "$all" ] || fail "pass_through bends photons"
-shoot Declare=Case=7; [ "$(statistic stored)" = 0 ] || fail "photons pass a roof with pass_through off"
+shoot Declare=Case=7; [ "$(statistic stored)" = 0 ] ||
+	fail "photons pass a roof with pass_through off"
 shoot Declare=Case=5; [ "$(statistic stored)" = 0 ] || fail "collect off collects"
 shoot Declare=Share=3; near "brightness with a share" "$(channel 0)" 0.5 0.02
 shoot Declare=Levels=1 Declare=Ior=1.5

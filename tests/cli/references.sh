@@ -1,5 +1,6 @@
 #!/bin/sh
-# References and the bench beside them, in small: they go on where they were, and the table's best K is the best.
+# References and the bench beside them, in small: they go on where they were, and the table's best K
+# is the best.
 . "$SOURCES/tests/cli/common.sh"
 python=/usr/bin/python3
 "$python" -c 'import numpy' 2>/dev/null || exit 77
@@ -15,8 +16,10 @@ references()
 }
 references 4000
 grep -q ' 2 and 2 passes' out || fail "passes of two halves: $(cat out)"
-[ -s refs/ring.exr ] && [ -s refs/ring.a.exr ] && [ -s refs/ring.b.exr ] || fail "a picture is missing"
-"$COMPARE" --layer caustic refs/ring.a.exr refs/ring.b.exr | grep -qx 'MSE 0' && fail "the halves are one"
+[ -s refs/ring.exr ] && [ -s refs/ring.a.exr ] && [ -s refs/ring.b.exr ] ||
+	fail "a picture is missing"
+"$COMPARE" --layer caustic refs/ring.a.exr refs/ring.b.exr | grep -qx 'MSE 0' &&
+	fail "the halves are one"
 cp refs/ring.a.exr before.exr
 references 4000
 "$COMPARE" refs/ring.a.exr before.exr | grep -qx 'MSE 0' || fail "what is done is made again"
@@ -33,15 +36,20 @@ references 8000
 bar=$(sed 's/.*error \([^,]*\),.*/\1/' out)
 "$COMPARE" --layer caustic refs/ring.exr better.exr |
 	awk -v bar="$bar" '$1 == "RMSE" { exit !($2 > bar / 2 && $2 < bar * 2) }' ||
-	fail "the error bar is $bar, the error $("$COMPARE" --layer caustic refs/ring.exr better.exr | grep ^RMSE)"
+	fail "the error bar is $bar, the error
+		$("$COMPARE" --layer caustic refs/ring.exr better.exr | grep ^RMSE)"
 
 cp better.exr refs/ring.exr
 # shellcheck disable=SC2086
 "$python" "$bench/caustics.py" $words --references refs --scene ring --counts 2k --seeds 1 \
-	--methods nearest --method 'wide::nearest { count %K kernel cone }:15' --json rows.json --sheet >out 2>err ||
+	--methods nearest --method 'wide::nearest { count %K kernel cone }:15' --json rows.json \
+	--sheet >out 2>err ||
 	fail "caustics.py: $(tail -n 1 err)"
-[ "$(grep -c '^nearest' out)" = 4 ] && [ "$(grep -c '^wide' out)" = 1 ] || fail "rows are missing: $(cat out)"
+[ "$(grep -c '^nearest' out)" = 4 ] && [ "$(grep -c '^wide' out)" = 1 ] ||
+	fail "rows are missing: $(cat out)"
 awk '$1 == "nearest" { k[$2] = $3 } END { for (i in k) if (i ~ /[*]/) best = k[i]
-	for (i in k) if (k[i] < 0.97 * best) exit 1 }' out || fail "the best K is not the best: $(cat out)"
-"$COMPARE" caustics-bench/ring.2k.png caustics-bench/ring.2k.png >out 2>&1 || fail "the sheet: $(cat out)"
+	for (i in k) if (k[i] < 0.97 * best) exit 1 }' out ||
+		fail "the best K is not the best: $(cat out)"
+"$COMPARE" caustics-bench/ring.2k.png caustics-bench/ring.2k.png >out 2>&1 ||
+	fail "the sheet: $(cat out)"
 finish
