@@ -210,7 +210,7 @@ static void iterate(RelaxSet *set, const Relaxation *settings, RelaxSpace space,
 	int neighbors = settings->repulsion_neighbors, listed = 2 * neighbors;
 	Work work = {memory_alloc(sizeof(Step) * ((size_t)set->count + 1)), neighbors};
 	RelaxForest *forest = relax_forest_create(set, space);
-	for (int i = 0; i < iterations; i++) {
+	for (int i = 0; i < iterations && !relax_set_is_stopped(set); i++) {
 		if (i % LIST_ITERATIONS == 0) {
 			relax_forest_grow(forest);
 			relax_lists_fill(set, forest, listed < RELAX_MOST ? listed : RELAX_MOST);
@@ -321,14 +321,15 @@ bool photon_relax(PhotonMap *map, const Relaxation *settings, const RelaxSurface
 		return false;
 	Relaxation s = sensible(*settings);
 	relax_set_init(&set, map, surfaces);
-	if (set.count > 0) {
+	if (set.count > 0)
 		relax_points(&set, &s, statistics);
+	bool moved = set.count > 0 && !relax_set_is_stopped(&set);
+	if (moved) {
 		note_movement(&set, map, statistics);
 		if (s.constrained)
 			note_constraints(&set, map);
 		relax_set_store(&set, map);
 	}
-	bool moved = set.count > 0;
 	map->relaxed = map->relaxed || moved;
 	relax_set_free(&set);
 	photon_tree_destroy(map->tree);

@@ -33,12 +33,13 @@ typedef struct RelaxPlace {
  */
 typedef bool RelaxProject(void *data, RelaxPlace *place, double step);
 
-/* What relaxation knows of the surfaces that photons lie on. */
+/* What relaxation knows of the surfaces that photons lie on, and who may stop it there. */
 typedef struct RelaxSurfaces {
 	const bool *fixed;     /* by Photon.object: photons on it stay. NULL: none */
 	int fixed_count;
 	RelaxProject *project; /* NULL: surfaces are flat and have no edges but the light's */
 	void *data;
+	const volatile int *stop; /* relaxation ends soon after this becomes nonzero; NULL: never */
 } RelaxSurfaces;
 
 typedef struct RelaxStatistics {
@@ -56,12 +57,14 @@ void relax_statistics_add(RelaxStatistics *sum, const RelaxStatistics *part);
 
 /*
  * Moves the photons; the tree of the map is dropped. Constrained, map->constraints is filled in.
- * False when there was nothing to do: switched off, or no photons. statistics may be NULL.
+ * False when nothing is moved: switched off, no photons, or stopped, when the photons are as they
+ * were. statistics may be NULL.
  */
 bool photon_relax(PhotonMap *map, const Relaxation *settings, const RelaxSurfaces *surfaces,
 		  RelaxStatistics *statistics);
 
-/* The same with a scene's settings, surfaces and `relaxation off` objects. */
-bool photon_relax_scene(PhotonMap *map, const Scene *scene, RelaxStatistics *statistics);
+/* The same with a scene's settings, surfaces and `relaxation off` objects; stop as there. */
+bool photon_relax_scene(PhotonMap *map, const Scene *scene, const volatile int *stop,
+			RelaxStatistics *statistics);
 
 #endif

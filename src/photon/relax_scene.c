@@ -67,13 +67,15 @@ static void visit_surfaces(const Shape *shape, FixedObjects *objects)
 		visit_surfaces(csg->children[i], objects);
 }
 
-bool photon_relax_scene(PhotonMap *map, const Scene *scene, RelaxStatistics *statistics)
+bool photon_relax_scene(PhotonMap *map, const Scene *scene, const volatile int *stop,
+			RelaxStatistics *statistics)
 {
 	FixedObjects objects = {memory_alloc(sizeof(bool) * (UINT16_MAX + 1)), 0};
 	memset(objects.fixed, 0, sizeof(bool) * (UINT16_MAX + 1));
 	for (int i = 0; i < scene->shape_count; i++)
 		visit_surfaces(scene->shapes[i], &objects);
-	RelaxSurfaces surfaces = {objects.fixed, objects.count, project_on_scene, (void *)scene};
+	RelaxSurfaces surfaces = {objects.fixed, objects.count, project_on_scene, (void *)scene,
+				  stop};
 	bool moved = photon_relax(map, &scene->settings.photons.relaxation, &surfaces, statistics);
 	free(objects.fixed);
 	return moved;

@@ -132,12 +132,18 @@ typedef struct EachJob {
 	void *data;
 } EachJob;
 
+bool relax_set_is_stopped(const RelaxSet *set)
+{
+	return set->surfaces->stop && *set->surfaces->stop;
+}
+
 static void each_run(void *data, long item, int thread)
 {
 	(void)thread;
 	const EachJob *job = data;
 	uint32_t first = (uint32_t)item * RUN, left = job->set->count - first;
-	job->run(job->set, first, first + (left < RUN ? left : RUN), job->data);
+	if (!relax_set_is_stopped(job->set))
+		job->run(job->set, first, first + (left < RUN ? left : RUN), job->data);
 }
 
 void relax_set_each(RelaxSet *set, RelaxRun *run, void *data)

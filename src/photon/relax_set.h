@@ -67,7 +67,10 @@ void relax_set_store(const RelaxSet *set, PhotonMap *map);
 /* Fills in the lists with the up to `most` nearest in the forest on the same side of the object. */
 void relax_lists_fill(RelaxSet *set, const RelaxForest *forest, int most);
 
-/* body(set, first, end, thread) over runs of all points, in parallel. */
+/* Whether somebody wants relaxation to end: then what it has is of no use. */
+bool relax_set_is_stopped(const RelaxSet *set);
+
+/* run(set, first, end, data) over all points, in parallel, or over some of them when stopped. */
 typedef void RelaxRun(RelaxSet *set, uint32_t first, uint32_t end, void *data);
 void relax_set_each(RelaxSet *set, RelaxRun *run, void *data);
 

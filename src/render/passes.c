@@ -57,11 +57,14 @@ static PhotonMap *trace_photons(Passes *passes)
 	return map;
 }
 
-static void relax_photons(Passes *passes, PhotonMap *map)
+/* False: stopped. */
+static bool relax_photons(Passes *passes, PhotonMap *map)
 {
 	RelaxStatistics statistics;
-	if (!map->relaxed && photon_relax_scene(map, passes->job->scene, &statistics))
+	if (!map->relaxed && photon_relax_scene(map, passes->job->scene, passes->callbacks.stop,
+						&statistics))
 		relax_statistics_add(&passes->statistics->relaxation, &statistics);
+	return !is_stopped(passes);
 }
 
 /* False on failure, reported. */
@@ -97,13 +100,12 @@ static PhotonMap *get_photons(Passes *passes, RenderStatus *status)
 		passes->statistics->photons.stored = map->count;
 	if (!map)
 		return NULL;
-	bool saved = can_tell_landed(passes, map, load) &&
-		     save_photons(passes, map, options->landed_file);
-	relax_photons(passes, map);
-	if (saved && save_photons(passes, map, save))
+	if (can_tell_landed(passes, map, load) &&
+	    save_photons(passes, map, options->landed_file) && relax_photons(passes, map) &&
+	    save_photons(passes, map, save))
 		return map;
 	photon_map_destroy(map);
-	*status = RENDER_FAILED;
+	*status = status_of_none(passes);
 	return NULL;
 }
 
@@ -202,9 +204,10 @@ static RenderStatus render_pass(Passes *passes, Film *film)
 	passes->render.seed = seed_of_pass(passes->seed, passes->pass);
 	settle_place(passes);
 	PhotonMap *map = trace_photons(passes);
-	if (!map)
+	if (!map || !relax_photons(passes, map)) {
+		photon_map_destroy(map);
 		return status_of_none(passes);
-	relax_photons(passes, map);
+	}
 	film_add_photons(film, map->count);
 	double radius = radius_of_pass(passes, passes->pass);
 	RenderStatus status = render_with(passes, map, radius, film);

@@ -83,7 +83,7 @@ double relax(bool constrained, int count)
 	Relaxation settings = relaxation_default();
 	settings.constrained = constrained;
 	settings.parameter_iterations = settings.world_iterations = count / 2;
-	RelaxSurfaces everywhere = {nullptr, 0, nullptr, nullptr};
+	RelaxSurfaces everywhere = {};
 	double start = clock_cpu();
 	photon_relax(map, &settings, &everywhere, nullptr);
 	double seconds = clock_cpu() - start;

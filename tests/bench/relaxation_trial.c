@@ -299,7 +299,7 @@ static Row measure(const char *name, Start start, const Relaxation *settings,
 		   const Reference *reference)
 {
 	Row row = {.best = 0};
-	const RelaxSurfaces everywhere = {NULL, 0, NULL, NULL};
+	const RelaxSurfaces everywhere = {.project = NULL};
 	for (int i = 0; i < start.sets; i++, start.seed++) {
 		PhotonMap *map = make_photons(&start);
 		if (settings)

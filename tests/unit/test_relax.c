@@ -12,7 +12,7 @@
 #include "photon/features.h"
 #include "tests/unit/check.h"
 
-static const RelaxSurfaces EVERYWHERE = {NULL, 0, NULL, NULL};
+static const RelaxSurfaces EVERYWHERE = {.project = NULL};
 
 static PhotonMap *make_map(uint32_t count)
 {
@@ -282,7 +282,7 @@ static void test_fixed_object(Relaxation settings)
 	for (uint32_t i = 2000; i < 4000; i++)
 		map->photons[i].object = before->photons[i].object = 1;
 	const bool fixed[] = {false, true};
-	RelaxSurfaces surfaces = {fixed, 2, NULL, NULL};
+	RelaxSurfaces surfaces = {.fixed = fixed, .fixed_count = 2};
 	photon_relax(map, &settings, &surfaces, NULL);
 	photon_relax(alone, &settings, &EVERYWHERE, NULL);
 	CHECK(memcmp(map->photons + 2000, before->photons + 2000, sizeof(Photon) * 2000) == 0);
@@ -421,7 +421,7 @@ static void test_edge_of_object(Relaxation settings)
 	for (uint32_t i = 0; i < 4000; i++)
 		place(&map->photons[i], 0.5 * random_uniform(5, i, 0),
 		      0.5 * random_uniform(5, i, 1));
-	RelaxSurfaces surfaces = {NULL, 0, table, NULL};
+	RelaxSurfaces surfaces = {.project = table};
 	photon_relax(map, &settings, &surfaces, NULL);
 	int past = 0;
 	for (uint32_t i = 0; i < 4000; i++)
@@ -485,6 +485,41 @@ static void test_off(void)
 	photon_map_destroy(before);
 }
 
+/* Ends relaxation when so many steps are taken. */
+typedef struct Impatience {
+	int left;
+	volatile int stop;
+} Impatience;
+
+static bool lose_patience(void *data, RelaxPlace *at, double step)
+{
+	(void)at;
+	(void)step;
+	Impatience *impatience = data;
+	if (__atomic_sub_fetch(&impatience->left, 1, __ATOMIC_RELAXED) == 0)
+		impatience->stop = 1;
+	return true;
+}
+
+/* Stopped at any time, photons are as they landed. */
+static void test_stop(Relaxation settings)
+{
+	enum { PHOTONS = 3000 };
+	for (int left = 1; left < 14 * PHOTONS; left += PHOTONS) {
+		PhotonMap *map = noise(PHOTONS), *before = noise(PHOTONS);
+		Impatience impatience = {left, 0};
+		RelaxSurfaces surfaces = {
+			.project = lose_patience, .data = &impatience, .stop = &impatience.stop};
+		RelaxStatistics statistics;
+		bool moved = photon_relax(map, &settings, &surfaces, &statistics);
+		CHECK(moved == !impatience.stop && map->relaxed == moved);
+		CHECK(moved || memcmp(map->photons, before->photons, sizeof(Photon) * PHOTONS) == 0);
+		CHECK(moved || (!map->constraints && statistics.moved == 0));
+		photon_map_destroy(map);
+		photon_map_destroy(before);
+	}
+}
+
 /* Settings that make no sense do no harm. */
 static void test_settings(void)
 {
@@ -520,6 +555,7 @@ int main(void)
 		test_total_flux(settings);
 		test_edge_of_object(settings);
 		test_few(settings);
+		test_stop(settings);
 	}
 	return CHECK_RESULT();
 }

@@ -12,7 +12,7 @@
 #include "photon/features.h"
 #include "tests/unit/check.h"
 
-static const RelaxSurfaces EVERYWHERE = {NULL, 0, NULL, NULL};
+static const RelaxSurfaces EVERYWHERE = {.project = NULL};
 
 /* Where light from (a, b) falls, its emitter coordinates, and the relative gradient there. */
 typedef struct Truth {
