@@ -1,7 +1,9 @@
 #!/usr/bin/env python3
-"""Writes the dragon of dragon.pov: one closed tube of scales, knotted like a serpent, as POV-Ray mesh2 text.
+"""Writes the dragon of dragon.pov: one closed tube of scales, knotted like a serpent, as POV-Ray
+mesh2 text.
 
 dragon.py [ALONG [AROUND]] > dragon.inc: so many quadrilaterals along the body and around it."""
+
 import math
 import sys
 
@@ -20,8 +22,8 @@ def unit(a):
 
 
 def spine(t):
-    """The middle of the body, t from 0 (tail) to 1 (nose): two coils that widen and rise a little, then the neck stands up from
-    the middle and bends forward to the head."""
+    """The middle of the body, t from 0 (tail) to 1 (nose): two coils that widen and rise a little,
+    then the neck stands up from the middle and bends forward to the head."""
     turn = 2 * math.pi * (0.30 + 1.75 * t)
     neck = max(0.0, (t - 0.70) / 0.30)
     bend = max(0.0, (t - 0.88) / 0.12)
@@ -33,7 +35,9 @@ def spine(t):
 def thickness(t):
     """Thin at the tail, thick in the middle, a neck, a head with brows that ends in a muzzle."""
     body = 0.46 * math.sin(math.pi * min(1.0, 0.05 + 0.80 * t)) ** 1.1
-    head = 0.30 * math.exp(-((t - 0.945) / 0.020) ** 2) + 0.15 * math.exp(-((t - 0.983) / 0.014) ** 2)
+    head = 0.30 * math.exp(-(((t - 0.945) / 0.020) ** 2)) + 0.15 * math.exp(
+        -(((t - 0.983) / 0.014) ** 2)
+    )
     close = min(1.0, t / 0.04, (1.0 - t) / 0.006)
     return (body + head) * math.sqrt(max(close, 0.0))
 
@@ -44,12 +48,18 @@ def relief(t, a):
     scale = abs(math.sin(math.pi * (u + v))) * abs(math.sin(math.pi * (u - v)))
     belly = 0.5 - 0.5 * math.cos(a)
     saw = (34 * t) % 1.0
-    comb = math.exp(-(math.sin(a / 2) / 0.12) ** 2) * (1 - saw) ** 1.5 if 0.06 < t < 0.92 else 0.0
-    return 0.07 * scale * (1 - belly ** 3) + 0.04 * belly ** 3 * math.cos(2 * math.pi * 44 * t) + 0.85 * comb
+    comb = math.exp(-((math.sin(a / 2) / 0.12) ** 2)) * (1 - saw) ** 1.5 if 0.06 < t < 0.92 else 0.0
+    return (
+        0.07 * scale * (1 - belly**3)
+        + 0.04 * belly**3 * math.cos(2 * math.pi * 44 * t)
+        + 0.85 * comb
+    )
 
 
 def frames(along):
-    """Points of the spine with two unit vectors across it; the first points to the back, upwards as far as it can."""
+    """Points of the spine with two unit vectors across it; the first points to the back, upwards as
+    far as it can.
+    """
     points = [spine(i / along) for i in range(along + 1)]
     for i, point in enumerate(points):
         ahead = unit(add(points[min(i + 1, along)], points[max(i - 1, 0)], -1))

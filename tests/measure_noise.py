@@ -1,10 +1,13 @@
 #!/usr/bin/env python3
-"""Measures the figures of src/surface/noise_tables_make.c with POV-Ray and prints them as they stand there.
+"""Measures the figures of src/surface/noise_tables_make.c with POV-Ray and prints them as they
+stand there.
 
-Needs povray and its includes; no part of `make check`. Lattice points show what hangs on them: the value of the noise is
-half an entry of the table, the slopes are the next three; the vector noise shows the entries beyond 255. Generator 3 has no
-values, only unit gradients; measuring them along y shows the order in which lattice points use them.
+Needs povray and its includes; no part of `make check`. Lattice points show what hangs on them: the
+value of the noise is half an entry of the table, the slopes are the next three; the vector noise
+shows the entries beyond 255. Generator 3 has no values, only unit gradients; measuring them along y
+shows the order in which lattice points use them.
 """
+
 import math
 import os
 import subprocess
@@ -22,7 +25,12 @@ def evaluate(expressions):
             for e in expressions:
                 scene.write('#write(F, %s, "\\n")\n' % e)
             scene.write("#fclose F\n")
-        subprocess.run(["povray", "+Iscene.pov", "-F", "-D", "+W1", "+H1"], cwd=folder, check=True, capture_output=True)
+        subprocess.run(
+            ["povray", "+Iscene.pov", "-F", "-D", "+W1", "+H1"],
+            cwd=folder,
+            check=True,
+            capture_output=True,
+        )
         with open(os.path.join(folder, "out")) as out:
             return [[float(x) for x in line.split()] for line in out]
 
@@ -116,7 +124,7 @@ def measure_order():
     v = [line[0] for line in evaluate(expressions)]
     order = []
     for y in range(2048):
-        g = tuple(round(slope(*v[6 * y + 2 * axis:6 * y + 2 * axis + 2]), 6) for axis in range(3))
+        g = tuple(round(slope(*v[6 * y + 2 * axis : 6 * y + 2 * axis + 2]), 6) for axis in range(3))
         order.append(str(index[g]))
     return order
 

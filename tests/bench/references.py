@@ -18,7 +18,8 @@ import caustic_scenes
 import exr
 
 SEEDS = {"a": 900001, "b": 900002}
-RADIUS = 0.5  # of the first pass, in pixels: adds half of a pixel's own variance, a tenth at the end
+# Of the first pass, in pixels: adds half of a pixel's own variance, a tenth at the end.
+RADIUS = 0.5
 UPDATE = 60  # seconds between safeguards of what is done
 
 

@@ -1,15 +1,29 @@
-"""read_ply.py READER STATS.json LANDED.ply [RELAXED.ply]: checks photon maps of caustic.pov, before and after relaxation under
-constraints. READER is plyfile or trimesh, or `header`, which knows nothing of photons and goes by what the file's header says."""
+"""read_ply.py READER STATS.json LANDED.ply [RELAXED.ply]: checks photon maps of caustic.pov, before
+and after relaxation under constraints. READER is plyfile or trimesh, or `header`, which knows
+nothing of photons and goes by what the file's header says.
+"""
+
 import json
 import math
 import struct
 import sys
 
-CODES = {"char": "b", "uchar": "B", "short": "h", "ushort": "H", "int": "i", "uint": "I", "float": "f", "double": "d"}
+CODES = {
+    "char": "b",
+    "uchar": "B",
+    "short": "h",
+    "ushort": "H",
+    "int": "i",
+    "uint": "I",
+    "float": "f",
+    "double": "d",
+}
 
 
 def read_by_header(path):
-    """Elements of a binary little-endian PLY file (Turk 1994) without lists, as {element: {property: values}}."""
+    """Elements of a binary little-endian PLY file (Turk 1994) without lists, as {element:
+    {property: values}}.
+    """
     with open(path, "rb") as file:
         check(file.readline() == b"ply\n", "no PLY file")
         elements = []
@@ -36,12 +50,19 @@ def read(reader, path):
     """The vertices' and the lights' columns by name."""
     if reader == "plyfile":
         import plyfile
-        return [{p.name: element[p.name].tolist() for p in element.properties} for element in plyfile.PlyData.read(path)]
+
+        return [
+            {p.name: element[p.name].tolist() for p in element.properties}
+            for element in plyfile.PlyData.read(path)
+        ]
     if reader == "trimesh":
         import trimesh
+
         raw = trimesh.load(path).metadata["_ply_raw"]
-        return [{name: raw[element]["data"][name].tolist() for name in raw[element]["properties"]}
-                for element in ("vertex", "light")]
+        return [
+            {name: raw[element]["data"][name].tolist() for name in raw[element]["properties"]}
+            for element in ("vertex", "light")
+        ]
     found = read_by_header(path)
     return found["vertex"], found["light"]
 
@@ -83,7 +104,12 @@ def check_constraint(row):
 def check_moved(landed, relaxed, statistics):
     """Only places change, by as much as the statistics say."""
     changed = {"x", "y", "z", "nx", "ny", "nz"}
-    check(all(a[name] == b[name] for a, b in zip(landed, relaxed) for name in a if name not in changed), "more than places")
+    check(
+        all(
+            a[name] == b[name] for a, b in zip(landed, relaxed) for name in a if name not in changed
+        ),
+        "more than places",
+    )
     distances = [math.dist(vector(a, ""), vector(b, "")) for a, b in zip(landed, relaxed)]
     mean, told = sum(distances) / len(distances), statistics["relaxation"]["mean_movement"]
     check(abs(mean - told) < 1e-3 * told and mean > 0, f"moved by {mean}, not {told}")
@@ -96,7 +122,10 @@ def main():
     maps = []
     for path in sys.argv[3:]:
         photons, lights = read(reader, path)
-        check(len(photons["x"]) == statistics["stored"] > 100, f"{len(photons['x'])} photons of {statistics['stored']}")
+        check(
+            len(photons["x"]) == statistics["stored"] > 100,
+            f"{len(photons['x'])} photons of {statistics['stored']}",
+        )
         check(len(lights["paths"]) == 1 and lights["paths"][0] >= 4000, f"lights: {lights}")
         maps.append(rows_of(photons))
         for row in maps[-1]:

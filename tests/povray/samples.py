@@ -1,11 +1,13 @@
 #!/usr/bin/env python3
 """Renders POV-Ray's sample scenes with POV-Ray and with cognac and says how far cognac is.
 
-Installs nothing: takes the samples from where Debian's povray-examples puts them, unpacks them into a scratch folder,
-renders each at 160x120 without antialiasing and with the same number of threads by both programs, and compares by SSIM
-after halving the size. POV-Ray's renders are kept in a cache, by content. Prints how many scenes are read, rendered and
-matched, the ratio of processor time over the matching ones, and which errors stop the rest, by how many scenes.
+Installs nothing: takes the samples from where Debian's povray-examples puts them, unpacks them into
+a scratch folder, renders each at 160x120 without antialiasing and with the same number of threads
+by both programs, and compares by SSIM after halving the size. POV-Ray's renders are kept in a
+cache, by content. Prints how many scenes are read, rendered and matched, the ratio of processor
+time over the matching ones, and which errors stop the rest, by how many scenes.
 """
+
 import argparse
 import collections
 import concurrent.futures
@@ -61,8 +63,14 @@ def run(command, folder, limit):
     """Runs one program; its status (or "timeout"), messages, processor and elapsed seconds."""
     start = time.monotonic()
     with tempfile.TemporaryFile() as messages:
-        process = subprocess.Popen(command, cwd=folder, stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL,
-                                   stderr=messages, start_new_session=True)
+        process = subprocess.Popen(
+            command,
+            cwd=folder,
+            stdin=subprocess.DEVNULL,
+            stdout=subprocess.DEVNULL,
+            stderr=messages,
+            start_new_session=True,
+        )
         timer = threading.Timer(limit, lambda: os.killpg(process.pid, signal.SIGKILL))
         timer.start()
         _, status, usage = os.wait4(process.pid, 0)
@@ -71,8 +79,12 @@ def run(command, folder, limit):
         process.returncode = os.waitstatus_to_exitcode(status)
         messages.seek(0)
         text = messages.read(1 << 20).decode("utf-8", "replace")
-    return {"status": "timeout" if late else process.returncode, "messages": text,
-            "cpu": usage.ru_utime + usage.ru_stime, "wall": time.monotonic() - start}
+    return {
+        "status": "timeout" if late else process.returncode,
+        "messages": text,
+        "cpu": usage.ru_utime + usage.ru_stime,
+        "wall": time.monotonic() - start,
+    }
 
 
 def picture_of(folder):
@@ -92,7 +104,9 @@ class Yardstick:
         self.folders = iter(range(1 << 30))
 
     def folder_of(self, scene):
-        """The scene's folder in this worker's own copy of links: scenes write files beside themselves."""
+        """The scene's folder in this worker's own copy of links: scenes write files beside
+        themselves.
+        """
         if not hasattr(self.local, "tree"):
             self.local.tree = self.work / f"worker{next(self.folders)}"
             shutil.copytree(self.samples, self.local.tree, copy_function=os.symlink)
@@ -118,12 +132,19 @@ class Yardstick:
     def render(self, program, scene, words):
         out = pathlib.Path(tempfile.mkdtemp(dir=self.work))
         name = "frame.png" if words[0].endswith(".ini") else "picture.png"
-        result = run(program + words + ["+FN8", f"+O{out}/{name}"], self.folder_of(scene), self.options.timeout)
+        result = run(
+            program + words + ["+FN8", f"+O{out}/{name}"],
+            self.folder_of(scene),
+            self.options.timeout,
+        )
         return result, picture_of(out)
 
     def similarity(self, left, picture):
-        answer = subprocess.run([self.options.compare, "--halve", "--json", str(left), str(picture)],
-                                capture_output=True, text=True)
+        answer = subprocess.run(
+            [self.options.compare, "--halve", "--json", str(left), str(picture)],
+            capture_output=True,
+            text=True,
+        )
         return json.loads(answer.stdout)["SSIM"] if answer.returncode == 0 else 0.0
 
     def judge(self, scene):
@@ -134,8 +155,11 @@ class Yardstick:
             return row
         words = scene_words(scene) + SIZE + [f"+WT{self.options.threads}"]
         ours, left = self.render([self.options.cognac], scene, words)
-        row["reads"] = ours["status"] == 0 or (ours["status"] == "timeout" or
-                                               not ANY_ERROR.search(ours["messages"])) and ours["status"] != 1
+        row["reads"] = (
+            ours["status"] == 0
+            or (ours["status"] == "timeout" or not ANY_ERROR.search(ours["messages"]))
+            and ours["status"] != 1
+        )
         row["renders"] = ours["status"] == 0 and left is not None
         row["ssim"] = self.similarity(left, picture) if row["renders"] else None
         row["cognac"] = {k: ours[k] for k in ("status", "cpu", "wall")}
@@ -153,13 +177,19 @@ class Yardstick:
         found = [words_of(*error) for error in SCENE_ERROR.findall(result["messages"])]
         found = found or ANY_ERROR.findall(result["messages"])
         if not found and result["status"] != 0:
-            found = ["no end in time" if result["status"] == "timeout" else f"ended with status {result['status']}"]
+            found = [
+                (
+                    "no end in time"
+                    if result["status"] == "timeout"
+                    else f"ended with status {result['status']}"
+                )
+            ]
         return list(dict.fromkeys(found))
 
 
 def words_of(message, line, indent):
     """A message with the word of the scene that the caret stands under."""
-    word = re.match(r"[#\w]+|.?", line.expandtabs(8)[len(indent.expandtabs(8)):]).group()
+    word = re.match(r"[#\w]+|.?", line.expandtabs(8)[len(indent.expandtabs(8)) :]).group()
     return f"{message} [{word}]" if word and word not in message else message
 
 
@@ -175,7 +205,10 @@ def print_row(row):
     ratio = row["cognac"]["cpu"] / max(row["povray"]["cpu"], 1e-3)
     if row["renders"]:
         verdict = "matches" if row["ssim"] >= MATCH else "differs"
-        print(f"{row['scene']:44} {verdict} {row['ssim']:7.4f}  {row['cognac']['cpu']:7.2f} s  x{ratio:.2f}")
+        print(
+            f"{row['scene']:44} {verdict} {row['ssim']:7.4f}  "
+            f"{row['cognac']['cpu']:7.2f} s  x{ratio:.2f}"
+        )
     else:
         print(f"{row['scene']:44} stops   {row['errors'][0][:80] if row['errors'] else ''}")
 
@@ -183,10 +216,18 @@ def print_row(row):
 def summary(rows):
     rows = [row for row in rows if row["renderable"]]
     matches = [row for row in rows if row["ssim"] is not None and row["ssim"] >= MATCH]
-    ratio = {kind: geometric_mean([r["cognac"][kind] / max(r["povray"][kind], 1e-3) for r in matches])
-             for kind in ("cpu", "wall")}
-    return {"scenes": len(rows), "reads": sum(r["reads"] for r in rows), "renders": sum(r["renders"] for r in rows),
-            "matches": len(matches), "cpu_ratio": ratio["cpu"], "wall_ratio": ratio["wall"]}
+    ratio = {
+        kind: geometric_mean([r["cognac"][kind] / max(r["povray"][kind], 1e-3) for r in matches])
+        for kind in ("cpu", "wall")
+    }
+    return {
+        "scenes": len(rows),
+        "reads": sum(r["reads"] for r in rows),
+        "renders": sum(r["renders"] for r in rows),
+        "matches": len(matches),
+        "cpu_ratio": ratio["cpu"],
+        "wall_ratio": ratio["wall"],
+    }
 
 
 def print_stoppers(rows, shown):
@@ -209,18 +250,36 @@ def arguments():
     parser.add_argument("--compare", default=str(here / "cognac-compare"))
     parser.add_argument("--povray", default="povray")
     parser.add_argument("--examples", type=pathlib.Path, default=EXAMPLES)
-    parser.add_argument("--cache", type=pathlib.Path, help="where POV-Ray's renders are kept",
-                        default=pathlib.Path(os.environ.get("XDG_CACHE_HOME", "~/.cache")).expanduser() /
-                        "cognac" / "povray")
+    parser.add_argument(
+        "--cache",
+        type=pathlib.Path,
+        help="where POV-Ray's renders are kept",
+        default=pathlib.Path(os.environ.get("XDG_CACHE_HOME", "~/.cache")).expanduser()
+        / "cognac"
+        / "povray",
+    )
     parser.add_argument("--threads", type=int, default=1, help="of each renderer")
     parser.add_argument("--jobs", type=int, default=1, help="scenes at once")
-    parser.add_argument("--timeout", type=float, default=60, help="seconds a program may take for a scene")
-    parser.add_argument("--only", action="append", metavar="PATTERN", help="scenes by name, as objects/*; repeatable")
-    parser.add_argument("--list", type=pathlib.Path, metavar="FILE", help="only the scenes that the file names")
+    parser.add_argument(
+        "--timeout", type=float, default=60, help="seconds a program may take for a scene"
+    )
+    parser.add_argument(
+        "--only",
+        action="append",
+        metavar="PATTERN",
+        help="scenes by name, as objects/*; repeatable",
+    )
+    parser.add_argument(
+        "--list", type=pathlib.Path, metavar="FILE", help="only the scenes that the file names"
+    )
     parser.add_argument("--json", type=pathlib.Path, metavar="FILE", help="every scene's result")
-    parser.add_argument("--keep", type=pathlib.Path, metavar="DIR", help="keep both pictures of each scene")
+    parser.add_argument(
+        "--keep", type=pathlib.Path, metavar="DIR", help="keep both pictures of each scene"
+    )
     parser.add_argument("--prepare", action="store_true", help="only fill the cache")
-    parser.add_argument("--expect", type=int, metavar="N", help="fail when fewer than N scenes match")
+    parser.add_argument(
+        "--expect", type=int, metavar="N", help="fail when fewer than N scenes match"
+    )
     return parser.parse_args()
 
 
@@ -248,7 +307,9 @@ def measure(options, yardstick):
 
 def main():
     options = arguments()
-    options.cognac, options.compare = os.path.abspath(options.cognac), os.path.abspath(options.compare)
+    options.cognac, options.compare = os.path.abspath(options.cognac), os.path.abspath(
+        options.compare
+    )
     if options.keep:
         options.keep.mkdir(parents=True, exist_ok=True)
     if not options.examples.is_dir() or not shutil.which(options.povray):
@@ -265,8 +326,12 @@ def main():
     if options.json:
         options.json.write_text(json.dumps({"summary": total, "scenes": rows}, indent=1))
     print_stoppers(rows, 40)
-    print("\nscenes {scenes}  reads {reads}  renders {renders}  matches {matches}  "
-          "time x{cpu_ratio:.2f} of POV-Ray's (processor), x{wall_ratio:.2f} (elapsed)".format(**total))
+    print(
+        "\nscenes {scenes}  reads {reads}  renders {renders}  matches {matches}  "
+        "time x{cpu_ratio:.2f} of POV-Ray's (processor), x{wall_ratio:.2f} (elapsed)".format(
+            **total
+        )
+    )
     return 1 if options.expect is not None and total["matches"] < options.expect else 0
 
 
