@@ -24,8 +24,8 @@ EXTRA_DIST += tests/layering.sh
 CLI_TESTS = tests/cli/animation.sh tests/cli/dispersion.sh tests/cli/estimators.sh tests/cli/figures.sh tests/cli/ini.sh \
 	tests/cli/interrupt.sh tests/cli/layer.sh tests/cli/limits.sh tests/cli/make.sh tests/cli/merge.sh \
 	tests/cli/output.sh tests/cli/photon_scale.sh tests/cli/photon_words.sh tests/cli/photons.sh \
-	tests/cli/progressive.sh tests/cli/references.sh tests/cli/ply.sh tests/cli/scenes.sh \
-	tests/cli/words.sh tests/man.sh
+	tests/cli/progressive.sh tests/cli/references.sh tests/cli/room.sh tests/cli/ply.sh \
+	tests/cli/scenes.sh tests/cli/words.sh tests/man.sh
 check_SCRIPTS += $(CLI_TESTS)
 EXTRA_DIST += $(CLI_TESTS) tests/cli/common.sh tests/cli/read_ply.py
 

@@ -205,15 +205,22 @@ static void move_run(RelaxSet *set, uint32_t first, uint32_t end, void *data)
  */
 enum { LIST_ITERATIONS = 4 };
 
+static int listed_of(const Relaxation *settings)
+{
+	int listed = 2 * settings->repulsion_neighbors;
+	return listed < RELAX_MOST ? listed : RELAX_MOST;
+}
+
 static void iterate(RelaxSet *set, const Relaxation *settings, RelaxSpace space, int iterations)
 {
-	int neighbors = settings->repulsion_neighbors, listed = 2 * neighbors;
-	Work work = {memory_alloc(sizeof(Step) * ((size_t)set->count + 1)), neighbors};
+	Work work = {memory_alloc(sizeof(Step) * ((size_t)set->count + 1)),
+		     settings->repulsion_neighbors};
 	RelaxForest *forest = relax_forest_create(set, space);
 	for (int i = 0; i < iterations && !relax_set_is_stopped(set); i++) {
 		if (i % LIST_ITERATIONS == 0) {
+			relax_lists_drop(set);
 			relax_forest_grow(forest);
-			relax_lists_fill(set, forest, listed < RELAX_MOST ? listed : RELAX_MOST);
+			relax_lists_fill(set, forest, listed_of(settings));
 		}
 		relax_set_each(set, step_run, &work);
 		relax_set_each(set, move_run, &work);
@@ -288,6 +295,18 @@ static void relax_points(RelaxSet *set, const Relaxation *settings, RelaxStatist
 		(uint64_t)(settings->parameter_iterations + settings->world_iterations);
 	statistics->feature_seconds = detected - start;
 	statistics->seconds = clock_wall() - detected;
+}
+
+/* Sheets' trees are many: what a forest leaves behind may go unused when the next one grows. */
+double photon_relax_room(const Relaxation *settings)
+{
+	Relaxation s = sensible(*settings);
+	double lists = (double)sizeof(uint32_t) * listed_of(&s) + sizeof(uint8_t);
+	double point = sizeof(Photon) + sizeof(RelaxPoint) + sizeof(Step);
+	TreeRoom forest = relax_forest_room(s.constrained ? RELAX_PARAMETER : RELAX_WORLD);
+	if (s.constrained)
+		point += sizeof(RelaxBasis) + forest.kept;
+	return point + forest.kept + fmax(lists, forest.building);
 }
 
 /* Means weigh as many photons as they are of. */

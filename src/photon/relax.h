@@ -63,6 +63,9 @@ void relax_statistics_add(RelaxStatistics *sum, const RelaxStatistics *part);
 bool photon_relax(PhotonMap *map, const Relaxation *settings, const RelaxSurfaces *surfaces,
 		  RelaxStatistics *statistics);
 
+/* Bytes a photon that this takes at most, the map's own among them. */
+double photon_relax_room(const Relaxation *settings);
+
 /* The same with a scene's settings, surfaces and `relaxation off` objects; stop as there. */
 bool photon_relax_scene(PhotonMap *map, const Scene *scene, const volatile int *stop,
 			RelaxStatistics *statistics);

@@ -129,6 +129,12 @@ void relax_forest_destroy(RelaxForest *forest)
 	free(forest);
 }
 
+TreeRoom relax_forest_room(RelaxSpace space)
+{
+	TreeRoom room = photon_tree_room(space == RELAX_PARAMETER);
+	return (TreeRoom){room.kept + sizeof(uint32_t), room.building + sizeof(Place)};
+}
+
 int relax_forest_nearest(const RelaxForest *forest, uint32_t point, int count, Neighbor *out)
 {
 	const RelaxPoint *p = &forest->set->points[point];

@@ -13,6 +13,8 @@ RelaxForest *relax_forest_create(const RelaxSet *set, RelaxSpace space);
 /* Makes the trees of where the points are now, in the place of those before. */
 void relax_forest_grow(RelaxForest *forest);
 void relax_forest_destroy(RelaxForest *forest);
+/* Bytes a point of a grown forest, and beside it while it grows. */
+TreeRoom relax_forest_room(RelaxSpace space);
 
 /* The count points nearest to a point in that space, itself among them, in no order, in out (room
  * as for photon_tree_nearest; indices into the set's points); returns how many. */

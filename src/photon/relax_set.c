@@ -106,8 +106,7 @@ void relax_set_free(RelaxSet *set)
 {
 	free(set->points);
 	free(set->bases);
-	free(set->lists.index);
-	free(set->lists.counts);
+	relax_lists_drop(set);
 }
 
 void relax_set_store(const RelaxSet *set, PhotonMap *map)
@@ -215,17 +214,19 @@ static void fill_run(RelaxSet *set, uint32_t first, uint32_t end, void *data)
 	}
 }
 
+void relax_lists_drop(RelaxSet *set)
+{
+	free(set->lists.index);
+	free(set->lists.counts);
+	set->lists = (RelaxLists){.index = NULL};
+}
+
 void relax_lists_fill(RelaxSet *set, const RelaxForest *forest, int most)
 {
-	RelaxLists *lists = &set->lists;
-	if (lists->most != most || !lists->index) {
-		free(lists->index);
-		free(lists->counts);
-		lists->index = memory_alloc(sizeof *lists->index * (size_t)most *
-					    ((size_t)set->count + 1));
-		lists->counts = memory_alloc((size_t)set->count + 1);
-		lists->most = most;
-	}
+	size_t rows = (size_t)set->count + 1;
+	relax_lists_drop(set);
+	set->lists = (RelaxLists){memory_alloc(sizeof *set->lists.index * (size_t)most * rows),
+				  memory_alloc(rows), most};
 	FillJob job = {forest, 4 * (most + 1)};
 	relax_set_each(set, fill_run, &job);
 }

@@ -66,6 +66,8 @@ void relax_set_store(const RelaxSet *set, PhotonMap *map);
 
 /* Fills in the lists with the up to `most` nearest in the forest on the same side of the object. */
 void relax_lists_fill(RelaxSet *set, const RelaxForest *forest, int most);
+/* They take the most memory of all, which something else may need in between. */
+void relax_lists_drop(RelaxSet *set);
 
 /* Whether somebody wants relaxation to end: then what it has is of no use. */
 bool relax_set_is_stopped(const RelaxSet *set);

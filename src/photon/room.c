@@ -6,16 +6,23 @@
 
 #include "base/clock.h"
 #include "photon/path.h"
+#include "photon/relax.h"
+#include "photon/tree.h"
 
-/* Bytes a photon, at most, measured: kept and found again; while it is relaxed; as a corner of a
- * sheet. Larger numbers would refuse what can be done. */
-enum { BYTES_KEPT = 100, BYTES_RELAXED = 390, BYTES_SHEETS = 690 };
+/* Bytes a photon as a corner of a sheet, at most, measured. */
+enum { BYTES_SHEETS = 690 };
 
+/* At most: kept and found again, while it is relaxed, as a corner of a sheet. Larger numbers would
+ * refuse what can be done. */
 static double bytes_of_photon(const PhotonSettings *settings)
 {
+	TreeRoom tree = photon_tree_room(false);
+	double most = sizeof(Photon) + tree.kept + tree.building;
+	if (settings->relaxation.on)
+		most = fmax(most, photon_relax_room(&settings->relaxation));
 	if (settings->estimator.kind == ESTIMATOR_FOOTPRINT)
-		return BYTES_SHEETS;
-	return settings->relaxation.on ? BYTES_RELAXED : BYTES_KEPT;
+		most = fmax(most, BYTES_SHEETS);
+	return most;
 }
 
 uint64_t photon_room(const Scene *scene)

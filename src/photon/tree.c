@@ -2,7 +2,7 @@
 
 #include <stdlib.h>
 
-#include "photon/tree_build.h"
+#include "photon/tree_order.h"
 
 void photon_tree_destroy(PhotonTree *tree)
 {
@@ -16,6 +16,15 @@ void photon_tree_destroy(PhotonTree *tree)
 	free(tree->emitters);
 	free(tree->lights);
 	free(tree);
+}
+
+TreeRoom photon_tree_room(bool with_emitters)
+{
+	const double all_levels = 1.0 / (TREE_WIDTH - 1); /* nodes beside leaves: 1/8, 1/64... */
+	int spaces = with_emitters ? 2 : 1;
+	double nodes = (sizeof(TreeLeaf) + sizeof(TreeBoxes) * all_levels) / TREE_WIDTH;
+	double lights = with_emitters ? sizeof(uint16_t) : 0;
+	return (TreeRoom){spaces * nodes + lights, tree_order_room(3 * spaces)};
 }
 
 void photon_tree_order(const PhotonTree *tree, uint32_t *order)

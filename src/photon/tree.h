@@ -14,6 +14,7 @@
 #ifndef PHOTON_TREE_H
 #define PHOTON_TREE_H
 
+#include <stdbool.h>
 #include <stdint.h>
 
 typedef struct PhotonTree PhotonTree;
@@ -42,6 +43,13 @@ typedef struct EmitterRange {
 
 PhotonTree *photon_tree_create(const TreePoints *points);
 void photon_tree_destroy(PhotonTree *tree); /* NULL is allowed */
+
+/* Bytes a point of many: of a tree, and beside it while it is created. */
+typedef struct TreeRoom {
+	double kept, building;
+} TreeRoom;
+
+TreeRoom photon_tree_room(bool with_emitters);
 
 /* The points' numbers in the tree's order, in which runs of 8, 64, 512... of them are compact. */
 void photon_tree_order(const PhotonTree *tree, uint32_t *order);

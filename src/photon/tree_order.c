@@ -199,6 +199,11 @@ static int32_t *make_columns(Order *o)
 	return memory;
 }
 
+double tree_order_room(int dimensions)
+{
+	return 2 * (dimensions + 1) * (double)sizeof(int32_t);
+}
+
 void tree_order(PhotonTree *tree, const TreePoints *points, const TreeOrderer *orderer)
 {
 	Order o = {.tree = tree, .points = points, .orderer = orderer};

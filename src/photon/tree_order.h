@@ -56,6 +56,8 @@ extern const TreeOrderer tree_orderer_plain;
 
 /* Fills in leaves and boxes, for which there is memory. */
 void tree_order(PhotonTree *tree, const TreePoints *points, const TreeOrderer *orderer);
+/* Bytes a point that it needs for that. */
+double tree_order_room(int dimensions);
 /* As photon_tree_create, which chooses the orderer. */
 PhotonTree *tree_create(const TreePoints *points, const TreeOrderer *orderer);
 
