@@ -296,9 +296,19 @@ static bool take_vec4(Cursor *cursor, double out[4])
 	return true;
 }
 
+/* ( u, v ) */
+static bool take_exponent(Cursor *cursor, Vec2 *out)
+{
+	const Node *entry = cursor_accept_entry(cursor);
+	if (!entry)
+		return cursor_expected(cursor, "'(', two numbers and ')'");
+	Cursor inside = cursor_begin(cursor->context, entry);
+	return cursor_take_float(&inside, &out->u) && cursor_take_float(&inside, &out->v) &&
+	       cursor_end(&inside);
+}
+
 static bool read_julia_item(Cursor *cursor, JuliaDesc *desc, bool *good)
 {
-	double number;
 	if (cursor_accept_word(cursor, W_quaternion))
 		desc->hypercomplex = false;
 	else if (cursor_accept_word(cursor, W_hypercomplex))
@@ -310,15 +320,10 @@ static bool read_julia_item(Cursor *cursor, JuliaDesc *desc, bool *good)
 	else if (cursor_accept_word(cursor, W_slice))
 		*good &= take_vec4(cursor, desc->slice_normal) &&
 			 cursor_take_float(cursor, &desc->slice_distance);
-	else if (accept_julia_function(cursor, desc)) {
-		if (desc->function == JULIA_PWR) {
-			*good &= cursor_take_float(cursor, &desc->exponent.u) &&
-				 cursor_take_float(cursor, &number);
-			if (*good)
-				desc->exponent.v = number;
-		}
-	} else
+	else if (!accept_julia_function(cursor, desc))
 		return false;
+	else if (desc->function == JULIA_PWR)
+		*good &= take_exponent(cursor, &desc->exponent);
 	return true;
 }
 

@@ -23,11 +23,26 @@ static Transform scale_by(Cursor *cursor, Vec3 by)
 	return transform_scale(by);
 }
 
+/* A column of nothing but 0, which would make all things flat, gets a 1, as in POV-Ray. */
+static void fill_columns(Cursor *cursor, double rows[12])
+{
+	for (int k = 0; k < 3; k++) {
+		if (rows[k] != 0 || rows[3 + k] != 0 || rows[6 + k] != 0)
+			continue;
+		rows[4 * k] = 1;
+		diag_warning(cursor->context->diag, cursor->last->where,
+			     "scale by 0 taken as scale by 1");
+	}
+}
+
 static Transform take_matrix(Cursor *cursor)
 {
 	double rows[12];
 	Transform matrix = transform_identity();
-	if (cursor_take_floats(cursor, rows, 12) && !transform_matrix(rows, &matrix))
+	if (!cursor_take_floats(cursor, rows, 12))
+		return matrix;
+	fill_columns(cursor, rows);
+	if (!transform_matrix(rows, &matrix))
 		diag_error(cursor->context->diag, cursor->last->where,
 			   "this matrix cannot be inverted");
 	return matrix;

@@ -188,6 +188,11 @@ term:
 		powers->next->next->next = tree_value(reader, NODE_VALUE, $10, @10);
 		$$ = tree_word(reader, NODE_ENTRY, W_NONE, powers, @1);
 	  }
+	| '(' condition ',' condition ')'       { /* pwr(2.5, 0.3) */
+		Node *pair = tree_value(reader, NODE_VALUE, $2, @2);
+		pair->next = tree_value(reader, NODE_VALUE, $4, @4);
+		$$ = tree_word(reader, NODE_ENTRY, W_NONE, pair, @1);
+	  }
 	;
 
 textures:

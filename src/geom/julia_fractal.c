@@ -60,6 +60,9 @@ const void *julia_create(Arena *arena, const JuliaDesc *desc, const char **error
 		return NULL;
 	}
 	julia->desc = *desc;
+	/* POV-Ray's images show the square's set for the hypercomplex cube. */
+	if (desc->hypercomplex && desc->function == JULIA_CUBE)
+		julia->desc.function = JULIA_SQR;
 	julia->parameter = (Vec4){desc->parameter[0], desc->parameter[1], desc->parameter[2],
 				  desc->parameter[3]};
 	Vec4 p = julia->parameter;

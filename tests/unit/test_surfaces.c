@@ -42,6 +42,23 @@ static void test_sphere(Arena *arena)
 	      !shape_inside(&shape, vec3(0.6, 0.6, 0.6)));
 }
 
+/* POV-Ray draws the hypercomplex square's set for the cube as well. */
+static void test_cube(Arena *arena)
+{
+	JuliaDesc desc = julia_default();
+	desc.hypercomplex = true;
+	desc.parameter[1] = 0.5;
+	desc.max_iteration = 4;
+	Shape square = test_shape(&julia_fractal_class, julia_create(arena, &desc, &message));
+	desc.function = JULIA_CUBE;
+	Shape cube = test_shape(&julia_fractal_class, julia_create(arena, &desc, &message));
+	Sampler sampler = {7, 0, 0};
+	for (int i = 0; i < 1000; i++) {
+		Vec3 p = test_point(&sampler, 1.5);
+		CHECK(shape_inside(&square, p) == shape_inside(&cube, p));
+	}
+}
+
 static void test_hypercomplex(Arena *arena)
 {
 	const JuliaFunction functions[] = {JULIA_SQR,  JULIA_CUBE, JULIA_RECIPROCAL,
@@ -105,6 +122,7 @@ int main(void)
 	Arena *arena = arena_create();
 	test_sphere(arena);
 	test_quaternion(arena);
+	test_cube(arena);
 	test_hypercomplex(arena);
 	test_parametric(arena);
 	arena_destroy(arena);

@@ -1,0 +1,4 @@
+#version 3.7;
+julia_fractal { <0.3, 0.2, 0.1, -0.2> hypercomplex pwr(2.5, 0.3) max_iteration 6 }
+julia_fractal { <0.3, 0.2, 0.1, -0.2> hypercomplex pwr 2.5, 0.3 }
+julia_fractal { <0.3, 0.2, 0.1, -0.2> hypercomplex pwr(2.5) }
