@@ -80,8 +80,11 @@ INLINE float kth_least(const float *values, int count, int k)
 		for (int j = 0; j < count; j++)
 			less[j] += value < values[j];
 	}
-	for (int j = 0; j < count; j++)
-		kth = less[j] < k && values[j] > kth ? values[j] : kth;
+#pragma omp simd reduction(max : kth)
+	for (int j = 0; j < count; j++) {
+		float value = less[j] < k ? values[j] : 0;
+		kth = value > kth ? value : kth;
+	}
 	return kth;
 }
 
@@ -92,15 +95,18 @@ INLINE Force force_on(const RelaxSet *set, uint32_t i, int neighbors)
 	look_around(set, i, &near);
 	float radius2 = kth_least(near.distance2, near.count, neighbors), radius = sqrtf(radius2);
 	Force f = {{0, 0, 0}, radius};
-	float weight = 0;
+	float weight = 0, pushes[RELAX_MOST];
 	const float tiny = 1e-20f; /* epsilon: two photons at one place do not push each other */
+#pragma omp simd
 	for (int j = 0; j < near.count; j++) {
-		float push = near.common[j] * (radius / (sqrtf(near.distance2[j]) + tiny) - 1);
-		push = near.distance2[j] <= radius2 ? push : 0;
-		weight += near.distance2[j] <= radius2 ? near.common[j] : 0;
-		f.at[0] += near.x[j] * push;
-		f.at[1] += near.y[j] * push;
-		f.at[2] += near.z[j] * push;
+		near.common[j] = near.distance2[j] <= radius2 ? near.common[j] : 0;
+		pushes[j] = near.common[j] * (radius / (sqrtf(near.distance2[j]) + tiny) - 1);
+	}
+	for (int j = 0; j < near.count; j++) {
+		weight += near.common[j];
+		f.at[0] += near.x[j] * pushes[j];
+		f.at[1] += near.y[j] * pushes[j];
+		f.at[2] += near.z[j] * pushes[j];
 	}
 	float share = weight > 0 ? 1 / weight : 0;
 	for (int k = 0; k < 3; k++)
