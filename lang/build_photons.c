@@ -68,8 +68,8 @@ static bool take_diffusivity(Cursor *cursor, Estimator *estimator)
 	return take_positive(cursor, &estimator->diffusivity);
 }
 
-/* Each place has so many patches over it as the square of their scale: hundreds are no longer looked
- * through for each pixel in any time, and nothing of the caustic is left to see. */
+/* Each place has so many patches over it as the square of their scale: hundreds are no longer
+ * looked through for each pixel in any time, and nothing of the caustic is left to see. */
 static const double MOST_SCALE = 10;
 
 static bool take_scale(Cursor *cursor, Estimator *estimator)

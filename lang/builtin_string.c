@@ -104,7 +104,8 @@ Value builtin_concat(const BuiltinCall *call)
 		length += strlen(call->args[i].string);
 	if (length > LONGEST) {
 		diag_error(call->context->diag, call->where,
-			   "a string of %zu bytes is too long: at most %d", length - 1, LONGEST - 1);
+			   "a string of %zu bytes is too long: at most %d", length - 1,
+			   LONGEST - 1);
 		return value_string("");
 	}
 	char *text = arena_alloc(call->context->parse, length), *end = text;

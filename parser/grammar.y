@@ -178,7 +178,10 @@ braces:
 	| '{' nodes error '}'                   { $$ = $2.first; yyerrok; }
 	;
 
-entry: '[' nodes ']'                            { $$ = tree_word(reader, NODE_ENTRY, W_NONE, $2.first, @1); };
+entry: '[' nodes ']'                            {
+		$$ = tree_word(reader, NODE_ENTRY, W_NONE, $2.first, @1);
+	  }
+	;
 
 term:
 	  XYZ '(' condition ',' condition ',' condition ')' ':' expression %prec LOW {
@@ -237,7 +240,9 @@ elements:
 
 element:
 	  element_value                         { $$ = tree_value(reader, NODE_VALUE, $1, @1); }
-	| '{' elements '}'                      { $$ = tree_word(reader, NODE_ENTRY, W_NONE, $2.first, @1); }
+	| '{' elements '}'                      {
+		$$ = tree_word(reader, NODE_ENTRY, W_NONE, $2.first, @1);
+	  }
 	;
 
 element_value: expression %prec LOW | thing;
@@ -250,21 +255,28 @@ call:
 	  CALL '(' arguments ')'                {
 		$$ = expression_call(&reader->context, $1, run_values(reader, $3), $3.count, @1);
 	  }
-	| CALL '(' ')'                          { $$ = expression_call(&reader->context, $1, NULL, 0, @1); }
+	| CALL '(' ')'                          {
+		$$ = expression_call(&reader->context, $1, NULL, 0, @1);
+	  }
 	| CALLABLE '(' arguments ')'            {
 		$$ = expression_apply(&reader->context, $1, run_values(reader, $3), $3.count, @1);
 	  }
 	| CALLABLE '(' arguments ',' WORD ')'   {
 		Value spline = spline_as(&reader->context, $1, $5, @5);
-		$$ = expression_apply(&reader->context, spline, run_values(reader, $3), $3.count, @1);
+		$$ = expression_apply(&reader->context, spline, run_values(reader, $3), $3.count,
+				      @1);
 	  }
-	| CALLABLE '(' ')'                      { $$ = expression_apply(&reader->context, $1, NULL, 0, @1); }
+	| CALLABLE '(' ')'                      {
+		$$ = expression_apply(&reader->context, $1, NULL, 0, @1);
+	  }
 	| TRACE '(' arguments ')'               { $$ = tree_trace(reader, $3, @1); }
 	| SUM condition ',' condition ',' condition ')' {
 		Value range[2] = {$2, $4};
 		$$ = function_loop_close(&reader->context, $1, range, $6, @1);
 	  }
-	| INTERNAL '(' condition ')'            { $$ = function_internal(&reader->context, $3, @1); }
+	| INTERNAL '(' condition ')'            {
+		$$ = function_internal(&reader->context, $3, @1);
+	  }
 	;
 
 arguments:
@@ -280,16 +292,28 @@ expression:
 	| '(' condition ')'                     { $$ = $2; }
 	| '<' components '>'                    { $$ = tree_vector(reader, $2, @1); }
 	| '<' components ',' '>'                { $$ = tree_vector(reader, $2, @1); }
-	| expression MEMBER                     { $$ = expression_member(&reader->context, $1, $2, @1); }
-	| '-' expression %prec UNARY            { $$ = expression_unary(&reader->context, OP_NEG, $2, @1); }
-	| '+' expression %prec UNARY            { $$ = expression_unary(&reader->context, OP_PLUS, $2, @1); }
-	| '!' expression %prec UNARY            { $$ = expression_unary(&reader->context, OP_NOT, $2, @1); }
+	| expression MEMBER                     {
+		$$ = expression_member(&reader->context, $1, $2, @1);
+	  }
+	| '-' expression %prec UNARY            {
+		$$ = expression_unary(&reader->context, OP_NEG, $2, @1);
+	  }
+	| '+' expression %prec UNARY            {
+		$$ = expression_unary(&reader->context, OP_PLUS, $2, @1);
+	  }
+	| '!' expression %prec UNARY            {
+		$$ = expression_unary(&reader->context, OP_NOT, $2, @1);
+	  }
 	| expression '+' expression             { $$ = binary(reader, OP_ADD, $1, $3, @2); }
 	| expression '-' expression             { $$ = binary(reader, OP_SUB, $1, $3, @2); }
 	| expression '*' expression             { $$ = binary(reader, OP_MUL, $1, $3, @2); }
 	| expression '/' expression             { $$ = binary(reader, OP_DIV, $1, $3, @2); }
-	| COLOR expression %prec LOW            { $$ = expression_color(&reader->context, $1, $2, @1); }
-	| expression PART expression %prec PART { $$ = expression_color_part(&reader->context, $1, $2, $3, @2); }
+	| COLOR expression %prec LOW            {
+		$$ = expression_color(&reader->context, $1, $2, @1);
+	  }
+	| expression PART expression %prec PART {
+		$$ = expression_color_part(&reader->context, $1, $2, $3, @2);
+	  }
 	| FIRST_PART expression %prec PART      {
 		$$ = expression_color_part(&reader->context, opaque_black(), $1, $2, @1);
 	  }
@@ -306,7 +330,9 @@ condition:
 	| condition '<' condition               { $$ = binary(reader, OP_LESS, $1, $3, @2); }
 	| condition '>' condition               { $$ = binary(reader, OP_GREATER, $1, $3, @2); }
 	| condition LESS_EQUAL condition        { $$ = binary(reader, OP_LESS_EQUAL, $1, $3, @2); }
-	| condition GREATER_EQUAL condition     { $$ = binary(reader, OP_GREATER_EQUAL, $1, $3, @2); }
+	| condition GREATER_EQUAL condition     {
+		$$ = binary(reader, OP_GREATER_EQUAL, $1, $3, @2);
+	  }
 	| condition '=' condition               { $$ = binary(reader, OP_EQUAL, $1, $3, @2); }
 	| condition NOT_EQUAL condition         { $$ = binary(reader, OP_NOT_EQUAL, $1, $3, @2); }
 	| condition '&' condition               { $$ = binary(reader, OP_AND, $1, $3, @2); }

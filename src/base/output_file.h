@@ -16,8 +16,8 @@ typedef struct OutputFile {
 } OutputFile;
 
 bool output_file_open(OutputFile *file, const char *path, Diag *diag);
-/* Closes and puts it in place. False when anything that was written did not get there, reported, and
- * nothing is left behind. */
+/* Closes and puts it in place. False when anything that was written did not get there, reported,
+ * and nothing is left behind. */
 bool output_file_commit(OutputFile *file, Diag *diag);
 /* Closes and removes it. */
 void output_file_abandon(OutputFile *file);

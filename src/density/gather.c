@@ -16,7 +16,8 @@ bool gather_accepts(const GatherPoint *point, const Photon *photon, double radiu
 	if ((point->both_sides ? fabs(cosine) : cosine) < least_cosine)
 		return false;
 	Vec3 at = vec3(photon->position[0], photon->position[1], photon->position[2]);
-	return fabs(vec3_dot(vec3_sub(at, point->position), point->normal)) <= gather_thickness(radius);
+	double off = vec3_dot(vec3_sub(at, point->position), point->normal);
+	return fabs(off) <= gather_thickness(radius);
 }
 
 /* Directions as they are; a plane's coordinates relative to the disc that was sampled. */

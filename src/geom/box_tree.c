@@ -112,7 +112,7 @@ static bool visit_list(const int *items, int count, BoxTreeVisit *visit, void *d
 
 typedef bool TouchBox(const void *query, const Box3 *box);
 
-/* What of the tree `touches` says yes to, from the root. Inlined, so that asking a box is no call. */
+/* What of the tree `touches` says yes to, from the root. Inlined: asking a box is no call. */
 static inline __attribute__((always_inline)) bool walk(const BoxTree *tree, TouchBox *touches,
 						       const void *query, BoxTreeVisit *visit,
 						       void *data)

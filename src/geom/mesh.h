@@ -38,8 +38,8 @@ typedef struct MeshTree MeshTree;
 
 typedef struct Mesh {
 	MeshDesc desc;
-	/* Each triangle's own, one step to memory instead of two: corners, and unit normals, 0 for a
-	 * flat one (NULL: all are). */
+	/* Each triangle's own, one step to memory instead of two: corners, and unit normals, 0
+	 * for a flat one (NULL: all are). */
 	const float (*corners)[3][3], (*normals)[3][3];
 	Box3 box;
 	MeshTree *tree; /* for rays outside the scene's accelerator (CSG, trace()); made at the

@@ -15,8 +15,8 @@ static inline RaySlabs ray_slabs(const Ray *ray)
 	return (RaySlabs){ray->origin, vec3(1 / d.x, 1 / d.y, 1 / d.z), ray->tmin, ray->tmax};
 }
 
-/* What a slab leaves of the interval t. A NaN, from a ray in the very plane of the slab's side, leaves
- * it as it is: comparing with it is false, so these comparisons stand as they do. */
+/* What a slab leaves of the interval t. A NaN, from a ray in the very plane of the slab's side,
+ * leaves it as it is: comparing with it is false, so these comparisons stand as they do. */
 static inline void ray_slabs_clip(double lo, double hi, double origin, double inverse, double t[2])
 {
 	double a = (lo - origin) * inverse, b = (hi - origin) * inverse;

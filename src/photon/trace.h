@@ -28,8 +28,8 @@ typedef struct PhotonStatistics {
 
 void photon_statistics_add(PhotonStatistics *sum, const PhotonStatistics *part);
 
-/* A new map, not yet indexed. NULL when stopped, or when the machine has no room for so many photons,
- * which is reported. statistics may be NULL. */
+/* A new map, not yet indexed. NULL when stopped, or when the machine has no room for so many
+ * photons, which is reported. statistics may be NULL. */
 PhotonMap *photon_trace(const Scene *scene, const PhotonTraceOptions *options,
 			PhotonStatistics *statistics);
 

@@ -70,7 +70,8 @@ static void gather_by_embree(Bench *b)
 					      (float)vec3_length(g.window.reach)};
 		Vec3 reach = vec3_all(sqrt(g.window.area / 2));
 		rtcPointQuery(b->scene, &query, &context, embree_visit, &g);
-		footprint_tree_visit(&b->footprints->disc_tree, box_around(p, reach), add_discs, &g);
+		footprint_tree_visit(&b->footprints->disc_tree, box_around(p, reach), add_discs,
+				     &g);
 		gather_finish(&g.sum, 0, &b->results[i]);
 	}
 }

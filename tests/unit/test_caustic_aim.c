@@ -43,7 +43,8 @@ static void check_shadow(const char *target, const char *light, double shadow)
 /* Each photon has entered the box and left it, however near to an edge. */
 static void check_edges(void)
 {
-	PhotonMap *map = trace_target("box { <-1, 1, -1>, <1, 1.5, 1>", "<-7, 10, 4> rgb 1 parallel");
+	PhotonMap *map = trace_target("box { <-1, 1, -1>, <1, 1.5, 1>",
+				      "<-7, 10, 4> rgb 1 parallel");
 	uint32_t slipped = 0;
 	for (uint32_t i = 0; map && i < map->count; i++)
 		slipped += map->photons[i].edges != 3;

@@ -75,10 +75,12 @@ static PhotonMap *trace_case(const EnergyCase *c)
 	         "#version 3.7;\n"
 	         "global_settings { photons { count 100000 } }\n"
 	         "light_source { <0, %g, 0>, %g %s %s photons { refraction on } }\n"
-	         "box { <-1.5, 0.5, -1.5>, <1.5, %g, 1.5> pigment { rgbt 1 } finish { ambient 0 diffuse 0 }\n"
+	         "box { <-1.5, 0.5, -1.5>, <1.5, %g, 1.5> pigment { rgbt 1 } "
+		 "  finish { ambient 0 diffuse 0 }\n"
 	         "  interior { ior %g } photons { target refraction on collect off } }\n"
 	         "plane { y, 0 pigment { rgb 1 } finish { diffuse 1 } }\n",
-	         height, brightness, lights[c->light], c->fades ? "fade_distance 4 fade_power 2" : "",
+	         height, brightness, lights[c->light],
+		 c->fades ? "fade_distance 4 fade_power 2" : "",
 	         0.5 + thickness, c->ior);
 	return caustic_trace(text);
 }

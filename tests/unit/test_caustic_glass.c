@@ -42,7 +42,8 @@ static PhotonMap *trace_ball(double z)
 	         "#version 3.7;\n"
 	         "global_settings { photons { count 250000 } }\n"
 	         "light_source { y * 9, 1 parallel point_at 0 photons { refraction on } }\n"
-	         "sphere { 0, 1 pigment { rgbt 1 } finish { ambient 0 diffuse 0 } interior { ior %g }\n"
+	         "sphere { 0, 1 pigment { rgbt 1 } finish { ambient 0 diffuse 0 } "
+		 "  interior { ior %g }\n"
 	         "  photons { target refraction on collect off } }\n"
 	         "plane { y, %g pigment { rgb 1 } finish { diffuse 1 } }\n", INDEX, -z);
 	return caustic_trace(text);
@@ -117,11 +118,14 @@ static double brightness_below(double angle, const char *finish)
 	double sine = sin(angle * M_PI / 180), cosine = cos(angle * M_PI / 180);
 	snprintf(text, sizeof text,
 	         "#version 3.7;\n"
-	         "global_settings { max_trace_level 30 photons { count 80000 adc_bailout 0.0001 } }\n"
+	         "global_settings { max_trace_level 30 photons { count 80000 "
+		 "  adc_bailout 0.0001 } }\n"
 	         "light_source { <%g, %g, 0>, 1 parallel point_at 0\n"
 	         "  photons { refraction on reflection on } }\n"
-	         "box { <-3, 0.1, -3>, <3, 0.2, 3> pigment { rgbt 1 } finish { ambient 0 diffuse 0 %s }\n"
-	         "  interior { ior %g } photons { target refraction on reflection on collect off } }\n"
+	         "box { <-3, 0.1, -3>, <3, 0.2, 3> pigment { rgbt 1 } "
+		 "  finish { ambient 0 diffuse 0 %s }\n"
+	         "  interior { ior %g } photons { target refraction on reflection on "
+		 "  collect off } }\n"
 	         "plane { y, 0 pigment { rgb 1 } finish { diffuse 1 } }\n",
 	         -20 * sine, 20 * cosine, finish, INDEX);
 	PhotonMap *map = caustic_trace(text);

@@ -11,7 +11,8 @@
 
 #define FLOOR_AND_MIRROR                                                                           \
 	"plane { y, 0 pigment { rgb 1 } finish { diffuse 1 } }\n"                                  \
-	"#declare Mirror = texture { pigment { rgb 1 } finish { ambient 0 diffuse 0 reflection 1 } };\n"
+	"#declare Mirror = texture { pigment { rgb 1 } " \
+	"  finish { ambient 0 diffuse 0 reflection 1 } };\n"
 
 /* Only a third of the ring, lest light be reflected twice. */
 #define RING(HEIGHT, BOX) \

@@ -31,7 +31,8 @@ static void make_nodes(OutlineNode *nodes)
 	for (int i = 0; i < COUNT; i++) {
 		int side = i / A_SIDE;
 		const double *a = corners[side], *b = corners[(side + 1) % CORNERS];
-		double along = (i % A_SIDE + 0.5) / A_SIDE, depth = random_uniform(5, (uint64_t)i, 0);
+		double along = (i % A_SIDE + 0.5) / A_SIDE;
+		double depth = random_uniform(5, (uint64_t)i, 0);
 		for (int k = 0; k < 2; k++)
 			nodes[i].at[k] = a[k] + along * (b[k] - a[k]);
 		nodes[i].at[0] -= depth * (b[1] - a[1]) / length_of(side);

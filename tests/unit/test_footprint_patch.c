@@ -79,7 +79,8 @@ static void test_triangulation(void)
 /* A window of the plane y = 0. */
 static Window window_at(double x, double z, double side)
 {
-	return (Window){{x, 0, z}, {1 / side, 0, 0}, {0, 0, 1 / side}, side * side, vec3_all(side / 2)};
+	return (Window){
+		{x, 0, z}, {1 / side, 0, 0}, {0, 0, 1 / side}, side * side, vec3_all(side / 2)};
 }
 
 static Patch make_patch(uint64_t seed, double bend)

@@ -513,7 +513,8 @@ static void test_stop(Relaxation settings)
 		RelaxStatistics statistics;
 		bool moved = photon_relax(map, &settings, &surfaces, &statistics);
 		CHECK(moved == !impatience.stop && map->relaxed == moved);
-		CHECK(moved || memcmp(map->photons, before->photons, sizeof(Photon) * PHOTONS) == 0);
+		size_t size = sizeof(Photon) * PHOTONS;
+		CHECK(moved || memcmp(map->photons, before->photons, size) == 0);
 		CHECK(moved || (!map->constraints && statistics.moved == 0));
 		photon_map_destroy(map);
 		photon_map_destroy(before);
