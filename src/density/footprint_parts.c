@@ -13,10 +13,10 @@
 
 #include "base/arena.h"
 #include "base/parallel.h"
-#include "density/footprint_hue.h"
 #include "density/footprint_strangers.h"
 #include "density/gather.h"
 #include "photon/group.h"
+#include "photon/hue.h"
 
 /* ---- a kind ---- */
 
@@ -24,7 +24,6 @@ typedef struct Making {
 	const PhotonMap *map;
 	double scale, shrink, disc_shrink; /* of patches, of these in passes, of discs: 1 whole */
 	double reach;
-	FootprintHues hues;
 	FootprintParts parts;
 	float *trust, *brightness; /* of each photon of the map */
 	Strangers *strangers;
@@ -39,19 +38,6 @@ static void add_sheet(Making *m, const SheetTask *task)
 	free(trust);
 }
 
-/* Whether the photons have hues: strongly coloured ones, red and violet. Looks at some. */
-static bool is_parted(const PhotonMap *map, const uint32_t *photons, uint32_t count)
-{
-	enum { LOOKS = 64 };
-	uint32_t looks = count < LOOKS ? count : LOOKS, pure = 0, red = 0;
-	for (uint32_t i = 0; i < looks; i++) {
-		Rgb flux = photon_flux(&map->photons[photons[(uint64_t)i * count / looks]]);
-		pure += footprint_hue_is_pure(flux);
-		red += flux.r > flux.b;
-	}
-	return 2 * pure > looks && red > looks / 5 && red < looks - looks / 5;
-}
-
 static void set_brightness(void *data, long photon, int thread)
 {
 	(void)thread;
@@ -60,27 +46,12 @@ static void set_brightness(void *data, long photon, int thread)
 	m->brightness[photon] = flux.r + flux.g + flux.b;
 }
 
-/* Photons near one another in emitter space would have the same flux if they had all hues: the mean
- * of some dozens tells it. */
-static void set_hues(const Making *m, const uint32_t *photons, uint32_t count, float *hues)
+static Rgb *fluxes_of(const PhotonMap *map, const uint32_t *photons, uint32_t count)
 {
-	double mean = 0;
+	Rgb *fluxes = memory_alloc(sizeof *fluxes * ((size_t)count + 1));
 	for (uint32_t i = 0; i < count; i++)
-		mean += m->brightness[photons[i]] / 3.0 / count;
-	for (uint32_t i = 0; i < count; i++) {
-		Rgb flux = rgb_scale(photon_flux(&m->map->photons[photons[i]]),
-				     (float)(mean > 0 ? 1 / mean : 0));
-		hues[i] = (float)((footprint_hue_of(&m->hues, flux) + 0.5) / FOOTPRINT_HUES);
-	}
-}
-
-static void find_hues(const Making *m, const uint32_t *photons, uint32_t count, float *hues)
-{
-	enum { WINDOW = 128 };
-	for (uint32_t from = 0, some; from < count; from += some) {
-		some = count - from < 2 * WINDOW ? count - from : WINDOW;
-		set_hues(m, photons + from, some, hues + from);
-	}
+		fluxes[i] = photon_flux(&map->photons[photons[i]]);
+	return fluxes;
 }
 
 /* What sheets are told of photons of parted light. */
@@ -149,11 +120,12 @@ static void add_slice(Making *m, uint32_t kind, const Parted *parted, uint32_t f
 	add_sheet(m, &task);
 }
 
-static void add_parted(Making *m, uint32_t kind, const uint32_t *photons, uint32_t count)
+static void add_parted(Making *m, uint32_t kind, const uint32_t *photons, const Rgb *fluxes,
+		       uint32_t count)
 {
 	Parted all = make_parted(count);
 	memcpy(all.photons, photons, sizeof *photons * count);
-	find_hues(m, photons, count, all.hues);
+	photon_hue_find(fluxes, count, all.hues);
 	SheetTask whole = make_task(m, kind, photons, count);
 	whole.hues = all.hues;
 	whole.strangers = NULL;
@@ -170,12 +142,14 @@ static void add_parted(Making *m, uint32_t kind, const uint32_t *photons, uint32
 
 static void add_kind(Making *m, uint32_t kind, const uint32_t *photons, uint32_t count)
 {
-	if (is_parted(m->map, photons, count)) {
-		add_parted(m, kind, photons, count);
+	Rgb *fluxes = fluxes_of(m->map, photons, count);
+	if (photon_hue_parts(fluxes, count)) {
+		add_parted(m, kind, photons, fluxes, count);
 	} else {
 		SheetTask task = make_task(m, kind, photons, count);
 		add_sheet(m, &task);
 	}
+	free(fluxes);
 }
 
 /* ---- discs ---- */
@@ -236,45 +210,12 @@ static double disc_shrink_of(const EstimatorSetup *setup)
 	return setup->radius > 0 && first > 0 ? fmin(1, setup->radius / first) : 1;
 }
 
-/* Photons sorted by kind, and the kinds' numbers. */
-static void sort_by_kind(const PhotonMap *map, uint32_t *photons, uint32_t *kinds)
-{
-	uint64_t *keys = memory_alloc(sizeof *keys * ((size_t)map->count + 1));
-	for (uint32_t i = 0; i < map->count; i++)
-		keys[i] = photon_kind(&map->photons[i]);
-	photon_group(keys, map->count, photons);
-	for (uint32_t i = 0; i < map->count; i++)
-		kinds[i] = i > 0 ? kinds[i - 1] + (keys[photons[i]] != keys[photons[i - 1]]) : 0;
-	free(keys);
-}
-
-/* Photons of a kind along a curve that fills emitter space. */
-static void sort_by_place(const PhotonMap *map, uint32_t *photons, uint32_t count)
-{
-	float (*emitters)[3] = memory_alloc(sizeof *emitters * count);
-	uint32_t *order = memory_alloc(sizeof *order * count),
-		 *before = memory_alloc(sizeof *before * count);
-	memcpy(before, photons, sizeof *before * count);
-	for (uint32_t i = 0; i < count; i++)
-		memcpy(emitters[i], map->photons[photons[i]].emitter, sizeof *emitters);
-	photon_tree_morton(emitters[0], count, sizeof *emitters, order);
-	for (uint32_t i = 0; i < count; i++)
-		photons[i] = before[order[i]];
-	free(emitters);
-	free(order);
-	free(before);
-}
-
 static void add_sheets(Making *m)
 {
 	uint32_t count = m->map->count, size;
 	uint32_t *photons = memory_alloc(sizeof *photons * ((size_t)count + 1)),
 		 *kinds = memory_alloc(sizeof *kinds * ((size_t)count + 1));
-	sort_by_kind(m->map, photons, kinds);
-	for (uint32_t first = 0; first < count; first += size) {
-		size = photon_group_size(kinds + first, sizeof *kinds, count - first);
-		sort_by_place(m->map, photons + first, size);
-	}
+	photon_group_kinds(m->map, photons, kinds);
 	m->strangers = footprint_strangers_create(m->map, photons, kinds);
 	for (uint32_t first = 0; first < count; first += size) {
 		size = photon_group_size(kinds + first, sizeof *kinds, count - first);
@@ -294,7 +235,6 @@ FootprintParts footprint_parts(const EstimatorSetup *setup)
 	            .shrink = sqrt(disc_shrink), /* patches' areas go with the radius */
 	            .disc_shrink = disc_shrink,
 	            .reach = gather_reach(map, DISC_COUNT),
-	            .hues = footprint_hues(),
 	            .trust = memory_alloc(sizeof(float) * (map->count + 1)),
 	            .brightness = memory_alloc(sizeof(float) * (map->count + 1))};
 	parallel_for(map->count, 4096, set_brightness, &m);

@@ -5,7 +5,6 @@ libdensity_a_SOURCES = src/density/estimator.h src/density/estimator.c src/densi
 	src/density/footprint_border.c \
 	src/density/footprint_delaunay.h src/density/footprint_delaunay.c \
 	src/density/footprint_fit.h src/density/footprint_fit.c \
-	src/density/footprint_hue.h src/density/footprint_hue.c \
 	src/density/footprint_mesh.h src/density/footprint_mesh.c \
 	src/density/footprint_outline.h src/density/footprint_outline.c \
 	src/density/footprint_parts.h src/density/footprint_parts.c \

@@ -74,3 +74,42 @@ uint64_t photon_kind(const Photon *photon)
 	uint64_t way = (uint64_t)photon->path << 8 | photon->edges;
 	return landed << 24 | way;
 }
+
+/* Photons sorted by kind, and the kinds' numbers. */
+static void sort_by_kind(const PhotonMap *map, uint32_t *photons, uint32_t *kinds)
+{
+	uint64_t *keys = memory_alloc(sizeof *keys * ((size_t)map->count + 1));
+	for (uint32_t i = 0; i < map->count; i++)
+		keys[i] = photon_kind(&map->photons[i]);
+	photon_group(keys, map->count, photons);
+	for (uint32_t i = 0; i < map->count; i++)
+		kinds[i] = i > 0 ? kinds[i - 1] + (keys[photons[i]] != keys[photons[i - 1]]) : 0;
+	free(keys);
+}
+
+/* Photons of a kind along a curve that fills emitter space. */
+static void sort_by_place(const PhotonMap *map, uint32_t *photons, uint32_t count)
+{
+	float (*emitters)[3] = memory_alloc(sizeof *emitters * count);
+	uint32_t *order = memory_alloc(sizeof *order * count),
+		 *before = memory_alloc(sizeof *before * count);
+	memcpy(before, photons, sizeof *before * count);
+	for (uint32_t i = 0; i < count; i++)
+		memcpy(emitters[i], map->photons[photons[i]].emitter, sizeof *emitters);
+	photon_tree_morton(emitters[0], count, sizeof *emitters, order);
+	for (uint32_t i = 0; i < count; i++)
+		photons[i] = before[order[i]];
+	free(emitters);
+	free(order);
+	free(before);
+}
+
+void photon_group_kinds(const PhotonMap *map, uint32_t *photons, uint32_t *kinds)
+{
+	uint32_t size;
+	sort_by_kind(map, photons, kinds);
+	for (uint32_t first = 0; first < map->count; first += size) {
+		size = photon_group_size(kinds + first, sizeof *kinds, map->count - first);
+		sort_by_place(map, photons + first, size);
+	}
+}

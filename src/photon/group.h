@@ -21,4 +21,8 @@ uint32_t photon_group_size(const uint32_t *keys, size_t stride, uint32_t count);
  * one object that they landed on. Sorted by it a light's kinds are together. */
 uint64_t photon_kind(const Photon *photon);
 
+/* The map's photons by kind, those of a kind along a curve that fills emitter space; and of each of
+ * these the number of its kind, 0 on. Both arrays have room for as many numbers as photons. */
+void photon_group_kinds(const PhotonMap *map, uint32_t *photons, uint32_t *kinds);
+
 #endif

@@ -1,6 +1,7 @@
 noinst_LIBRARIES += libphoton.a
 libphoton_a_SOURCES = src/photon/photon.c src/photon/photon.h \
-	src/photon/group.c src/photon/group.h src/photon/map.c src/photon/map.h \
+	src/photon/group.c src/photon/group.h src/photon/hue.c src/photon/hue.h \
+	src/photon/map.c src/photon/map.h \
 	src/photon/ply.c src/photon/aim.c src/photon/aim.h src/photon/autostop.c src/photon/autostop.h \
 	src/photon/path.c src/photon/path.h src/photon/room.c src/photon/room.h \
 	src/photon/trace.c src/photon/trace.h src/photon/tree.c src/photon/tree.h \

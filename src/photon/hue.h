@@ -1,0 +1,23 @@
+/*
+ * Light that glass has parted: each photon has one hue, at random, and lands where that takes it.
+ * Photons do not keep their hue; their colour tells it.
+ */
+#ifndef PHOTON_HUE_H
+#define PHOTON_HUE_H
+
+#include <stdbool.h>
+#include <stdint.h>
+
+#include "base/color.h"
+
+/*
+ * Both look at the fluxes of photons of one kind (photon/group.h), such that those near one another
+ * where they left the light are near one another in the array.
+ */
+
+/* Whether the photons have hues: strongly coloured ones, red and violet. Looks at some. */
+bool photon_hue_parts(const Rgb *fluxes, uint32_t count);
+/* The hue of each photon of parted light, 0 (red) to 1 (violet), evenly distributed. */
+void photon_hue_find(const Rgb *fluxes, uint32_t count, float *hues);
+
+#endif
