@@ -221,6 +221,8 @@ static void read_relaxation_item(Cursor *cursor, Relaxation *relaxation)
 		take_positive(cursor, &relaxation->range);
 	} else if (cursor_accept_word(cursor, W_gradient)) {
 		relaxation->gradient = cursor_optional_bool(cursor);
+	} else if (cursor_accept_word(cursor, W_hues)) {
+		relaxation->hues = cursor_optional_bool(cursor);
 	} else {
 		cursor_unexpected(cursor);
 	}

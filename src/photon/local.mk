@@ -11,4 +11,4 @@ libphoton_a_SOURCES = src/photon/photon.c src/photon/photon.h \
 	src/photon/relax.c src/photon/relax_set.c src/photon/relax_set.h \
 	src/photon/relax_forest.c src/photon/relax_forest.h src/photon/features.c src/photon/features.h \
 	src/photon/relax_gradient.c src/photon/relax_gradient.h \
-	src/photon/relax_scene.c
+	src/photon/relax_scene.c src/photon/relax_slices.c src/photon/relax_slices.h

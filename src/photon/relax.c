@@ -345,7 +345,7 @@ bool photon_relax(PhotonMap *map, const Relaxation *settings, const RelaxSurface
 	if (!settings->on || map->count == 0)
 		return false;
 	Relaxation s = sensible(*settings);
-	relax_set_init(&set, map, surfaces);
+	relax_set_init(&set, map, surfaces, s.constrained && s.hues);
 	if (set.count > 0)
 		relax_points(&set, &s, statistics);
 	bool moved = set.count > 0 && !relax_set_is_stopped(&set);

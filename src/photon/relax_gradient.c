@@ -54,16 +54,6 @@ static void color_of(const RelaxPoint *point, float color[COLORS])
 	color[1] = all > 0 ? f[2] / all : 0;
 }
 
-/* The emitter's axes at the photon: its plane's, or tangent to the unit sphere of directions. */
-static void emitter_axes(const RelaxPoint *point, Vec3 axes[2])
-{
-	const float *e = point->emitter;
-	axes[0] = vec3(1, 0, 0);
-	axes[1] = vec3(0, 1, 0);
-	if (!point->on_plane)
-		vec3_frame(vec3_normalize(vec3(e[0], e[1], e[2])), &axes[0], &axes[1]);
-}
-
 /* v between two places, per `unit`, along both axes. */
 static void difference(const float to[3], const float from[3], const Vec3 axes[2], double unit,
 		       float out[2])
@@ -80,7 +70,7 @@ static void fill_columns(const RelaxPiece *piece, Columns *columns)
 	double range = sqrt((double)p->range2);
 	Vec3 own[2];
 	float color[COLORS], other[COLORS], e[2], x[2];
-	emitter_axes(p, own);
+	relax_emitter_axes(p->emitter, p->on_plane, own);
 	color_of(p, color);
 	columns->count = piece->found < ROOM ? piece->found : ROOM;
 	for (int n = 0; n < columns->count; n++) {

@@ -8,6 +8,7 @@
 #include "base/parallel.h"
 #include "base/random.h"
 #include "photon/relax_forest.h"
+#include "photon/relax_slices.h"
 
 /* ---- the working copy ---- */
 
@@ -20,16 +21,27 @@ static bool takes_part(const Photon *photon, const RelaxSurfaces *surfaces)
 	       isfinite(photon->position[2]);
 }
 
-static uint16_t sheet_of(const Photon *photon)
+void relax_emitter_axes(const float emitter[3], bool on_plane, Vec3 axes[2])
 {
-	return (uint16_t)random_bits((uint64_t)photon->light, photon->object, photon->path);
+	axes[0] = vec3(1, 0, 0);
+	axes[1] = vec3(0, 1, 0);
+	if (!on_plane)
+		vec3_frame(vec3_normalize(vec3((double)emitter[0], (double)emitter[1],
+					       (double)emitter[2])),
+			   &axes[0], &axes[1]);
 }
 
-static RelaxPoint make_point(const PhotonMap *map, uint32_t number)
+static uint16_t sheet_of(const Photon *photon, uint8_t slice)
+{
+	uint64_t landed = (uint64_t)photon->object << 8 | slice;
+	return (uint16_t)random_bits((uint64_t)photon->light, landed, photon->path);
+}
+
+static RelaxPoint make_point(const PhotonMap *map, uint32_t number, uint8_t slice)
 {
 	const Photon *photon = &map->photons[number];
 	RelaxPoint point = {.photon = number,
-			    .sheet = sheet_of(photon),
+			    .sheet = sheet_of(photon, slice),
 			    .object = photon->object,
 			    .on_plane = photon_map_on_plane(map, photon),
 			    .range2 = INFINITY};
@@ -87,15 +99,18 @@ static void settle_normals(RelaxSet *set, uint32_t first, uint32_t end, void *da
 	}
 }
 
-void relax_set_init(RelaxSet *set, const PhotonMap *map, const RelaxSurfaces *surfaces)
+void relax_set_init(RelaxSet *set, const PhotonMap *map, const RelaxSurfaces *surfaces,
+		    bool by_hue)
 {
 	*set = (RelaxSet){.points = memory_alloc(sizeof(RelaxPoint) * ((size_t)map->count + 1)),
 			  .surfaces = surfaces};
+	uint8_t *slices = by_hue ? relax_slices(map) : NULL;
 	for (uint32_t i = 0; i < map->count; i++) {
 		if (!takes_part(&map->photons[i], surfaces))
 			continue;
-		set->points[set->count++] = make_point(map, i);
+		set->points[set->count++] = make_point(map, i, slices ? slices[i] : 0);
 	}
+	free(slices);
 	scale_fluxes(set);
 	sort_points(set);
 	if (surfaces->project)

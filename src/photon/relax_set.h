@@ -14,8 +14,8 @@ typedef struct RelaxPoint {
 	uint32_t photon;   /* number in the map */
 	float normal[3];
 	float flux[3];     /* 1: the mean of all photons */
-	uint16_t sheet; /* hash of light, object and way: photons of one sheet of the caustic have
-			   the same */
+	uint16_t sheet; /* hash of light, object, way and slice of the spectrum: photons of one
+			   sheet of the caustic have the same */
 	uint16_t object;
 	bool on_plane; /* emitter: two coordinates; else a direction */
 } RelaxPoint;
@@ -58,9 +58,14 @@ typedef enum RelaxSpace {
 	RELAX_EMITTER,   /* near where they left the light, of one sheet */
 } RelaxSpace;
 
-/* All photons but those on fixed objects, and those whose place is no number. */
-void relax_set_init(RelaxSet *set, const PhotonMap *map, const RelaxSurfaces *surfaces);
+/* All photons but those on fixed objects, and those whose place is no number. by_hue: sheets of
+ * parted light are told apart by hue (relax_slices.h). */
+void relax_set_init(RelaxSet *set, const PhotonMap *map, const RelaxSurfaces *surfaces,
+		    bool by_hue);
 void relax_set_free(RelaxSet *set);
+/* The axes of emitter space about a photon: the plane's, or tangent to the unit sphere of directions.
+ */
+void relax_emitter_axes(const float emitter[3], bool on_plane, Vec3 axes[2]);
 /* Positions and normals back to the photons they belong to. */
 void relax_set_store(const RelaxSet *set, PhotonMap *map);
 

@@ -43,7 +43,8 @@ Relaxation relaxation_default(void)
 			    .neighbors = 50,
 			    .repulsion_neighbors = 16,
 			    .range = 2,
-			    .gradient = true};
+			    .gradient = true,
+			    .hues = true};
 }
 
 /* Fourteen iterations in all, as the paper has for comparison. */

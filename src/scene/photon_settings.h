@@ -43,6 +43,7 @@ typedef struct Relaxation {
 	int neighbors, repulsion_neighbors;
 	double range;
 	bool gradient; /* constrained: what the density's own gradient pushes is taken off */
+	bool hues;     /* constrained: parted light is told apart by hue */
 } Relaxation;
 
 typedef enum Reduction {

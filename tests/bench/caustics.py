@@ -39,7 +39,7 @@ METHODS = {
     "diffusion": (None, "diffusion {{ count {K} }}", (500,)),
     "plain": ("plain iterations 7, 7", "nearest {{ count {K} }}", (15, BEST)),
     "paper": (
-        "constrained iterations 7, 7 range 3 gradient off",
+        "constrained iterations 7, 7 range 3 gradient off hues off",
         "nearest {{ count {K} }}",
         (15, BEST),
     ),

@@ -8,6 +8,7 @@ global_settings {
     relaxation { iterations neighbors 50 }
     relaxation { gradient plain off }
     relaxation { gradient 2, 3 }
+    relaxation { hues plain off }
   }
 }
 sphere { 0, 1 photons { relaxation { plain } } }

@@ -97,7 +97,7 @@ static double worst(Map *map, double shift)
 	RelaxSet set;
 	Relaxation settings = relaxation_default();
 	double most = 0;
-	relax_set_init(&set, photons, &EVERYWHERE);
+	relax_set_init(&set, photons, &EVERYWHERE, false);
 	features_detect(&set, &settings);
 	for (uint32_t i = 0; i < set.count; i++) {
 		uint32_t number = set.points[i].photon;
@@ -135,7 +135,7 @@ static void test_chaos(void)
 	Relaxation settings = relaxation_default();
 	settings.range = 1000; /* the nearest in the world */
 	int doubted = 0;
-	relax_set_init(&set, photons, &EVERYWHERE);
+	relax_set_init(&set, photons, &EVERYWHERE, false);
 	features_detect(&set, &settings);
 	for (uint32_t i = 0; i < set.count; i++) {
 		const float *g = set.bases[i].gradient;
