@@ -299,10 +299,10 @@ static bool take_vec4(Cursor *cursor, double out[4])
 /* ( u, v ) */
 static bool take_exponent(Cursor *cursor, Vec2 *out)
 {
-	const Node *entry = cursor_accept_entry(cursor);
-	if (!entry)
+	const Node *pair = cursor_accept_pair(cursor);
+	if (!pair)
 		return cursor_expected(cursor, "'(', two numbers and ')'");
-	Cursor inside = cursor_begin(cursor->context, entry);
+	Cursor inside = cursor_begin(cursor->context, pair);
 	return cursor_take_float(&inside, &out->u) && cursor_take_float(&inside, &out->v) &&
 	       cursor_end(&inside);
 }

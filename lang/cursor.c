@@ -52,6 +52,8 @@ static const char *describe(const Cursor *cursor)
 		return arena_printf(arena, "'%s {'", word_text(node->word));
 	case NODE_ENTRY:
 		return "'['";
+	case NODE_PAIR:
+		return "'('";
 	}
 	return "something else";
 }
@@ -152,6 +154,11 @@ const Node *cursor_accept_block(Cursor *cursor, Word word)
 const Node *cursor_accept_entry(Cursor *cursor)
 {
 	return cursor_peek_entry(cursor) ? cursor_next(cursor) : NULL;
+}
+
+const Node *cursor_accept_pair(Cursor *cursor)
+{
+	return cursor->at && cursor->at->kind == NODE_PAIR ? cursor_next(cursor) : NULL;
 }
 
 bool cursor_accept_float(Cursor *cursor, double *out)

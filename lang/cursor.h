@@ -23,7 +23,7 @@ typedef struct Cursor {
 	const Node *last;  /* the last WORD or BLOCK taken, for messages; NULL before one */
 } Cursor;
 
-/* The inside of a block or an entry. */
+/* The inside of a block, an entry or a pair. */
 Cursor cursor_begin(Context *context, const Node *block);
 /* A bare sequence from first on. */
 Cursor cursor_over(Context *context, const Node *first);
@@ -56,6 +56,8 @@ bool cursor_accept_word(Cursor *cursor, Word word);
 const Node *cursor_accept_block(Cursor *cursor, Word word);
 /* NULL when something else is next. */
 const Node *cursor_accept_entry(Cursor *cursor);
+/* ( a, b ); NULL when something else is next. */
+const Node *cursor_accept_pair(Cursor *cursor);
 bool cursor_accept_float(Cursor *cursor, double *out);
 /* A vector or float; a float stands for equal components. */
 bool cursor_accept_vec3(Cursor *cursor, Vec3 *out);

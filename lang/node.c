@@ -33,6 +33,11 @@ static void print_one(FILE *out, const Node *node)
 		node_print(out, node->children);
 		putc(node->kind == NODE_BLOCK ? ')' : ']', out);
 		break;
+	case NODE_PAIR:
+		putc('{', out);
+		node_print(out, node->children);
+		putc('}', out);
+		break;
 	}
 }
 

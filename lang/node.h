@@ -27,6 +27,7 @@ typedef enum NodeKind {
 	NODE_WORD, /* a reserved word without braces */
 	NODE_BLOCK, /* a reserved word with braces */
 	NODE_ENTRY, /* [ ... ] */
+	NODE_PAIR, /* ( a, b ) */
 } NodeKind;
 
 typedef struct Node Node;
@@ -35,7 +36,7 @@ struct Node {
 	Word word;      /* WORD, BLOCK */
 	Value value;    /* VALUE, ITEM */
 	Location where; /* of its first token */
-	Node *children; /* BLOCK, ENTRY: first node inside */
+	Node *children; /* BLOCK, ENTRY, PAIR: first node inside */
 	Node *next;
 };
 

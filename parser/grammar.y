@@ -194,7 +194,7 @@ term:
 	| '(' condition ',' condition ')'       { /* pwr(2.5, 0.3) */
 		Node *pair = tree_value(reader, NODE_VALUE, $2, @2);
 		pair->next = tree_value(reader, NODE_VALUE, $4, @4);
-		$$ = tree_word(reader, NODE_ENTRY, W_NONE, pair, @1);
+		$$ = tree_word(reader, NODE_PAIR, W_NONE, pair, @1);
 	  }
 	;
 

@@ -37,6 +37,8 @@ static void test_expressions(void)
 	check_scene("box { rgb <1,0.5,0> transmit 0.3 }", "(box color<1,0.5,0,0,0.3>)\n");
 	check_scene("image_map { png \"a\" map_type 1 filter all 0.5 }",
 		    "(image_map png \"a\" map_type 1 filter all 0.5)\n");
+	check_scene("julia_fractal { 0 hypercomplex pwr(1 + 1, 0.3) }",
+		    "(julia_fractal 0 hypercomplex pwr {2 0.3})\n");
 	check_scene("global_settings { assumed_gamma srgb }",
 		    "(global_settings assumed_gamma srgb)\n");
 	check_scene("box { (1 | 0 & 0) (0 & 0 | 1) }", "(box 0 1)\n");
