@@ -2,6 +2,7 @@
 
 #include <limits.h>
 #include <math.h>
+#include <string.h>
 
 Cursor cursor_begin(Context *context, const Node *block)
 {
@@ -78,11 +79,16 @@ bool cursor_expected(Cursor *cursor, const char *what)
 	return false;
 }
 
+static const char *without_article(const char *what)
+{
+	return strncmp(what, "a ", 2) == 0 ? what + 2 : strncmp(what, "an ", 3) == 0 ? what + 3 : what;
+}
+
 void cursor_unexpected(Cursor *cursor)
 {
 	if (!cursor->at)
 		return;
-	const char *what = describe(cursor);
+	const char *what = without_article(describe(cursor));
 	if (cursor->block && cursor->block->kind == NODE_BLOCK)
 		diag_error(cursor->context->diag, cursor->at->where, "unexpected %s in '%s'", what,
 		           word_text(cursor->block->word));
