@@ -1,7 +1,7 @@
 # Relaxation: time beside FLANN (make bench-relaxation), and a trial of its quality in two dimensions (make trial-relaxation).
 # Not in `make all`: the first needs a C++ compiler and FLANN.
 EXTRA_DIST += tests/bench/relaxation.cc tests/bench/relaxation_trial.c tests/bench/wave.h
-RELAX_LIBS = libphoton.a libscene.a libbase.a
+RELAX_LIBS = libphoton.a libscene.a libsurface.a libbase.a
 
 tests/bench/relaxation-trial: tests/bench/relaxation_trial.c tests/bench/wave.h $(RELAX_LIBS)
 	$(MKDIR_P) tests/bench
