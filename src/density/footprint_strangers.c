@@ -2,7 +2,9 @@
  * Beside each vertex the nearest photons of the light are looked at, whatever their kind. A kind
  * that starts at the same places as the sheet falls into its triangles, all but what lies along the
  * border, and into large and small ones by their areas. One that lands elsewhere because the sheet
- * has a gap there falls into few triangles, or into large ones: those that reach over the gap.
+ * has a gap there falls into few triangles, or into large ones: those that reach over the gap. One
+ * may do both, as where glass mirrors a little of the light here and all of it there: so of a kind
+ * that lands in gaps, strangers that are alone are judged apart from those that are in groups.
  */
 #include "density/footprint_strangers.h"
 
@@ -168,50 +170,127 @@ static double area_of(const Sheet *s, const uint32_t t[3])
 	return footprint_cross(v[t[0]].e, v[t[1]].e, v[t[2]].e) / space;
 }
 
-/* Strangers of one kind. */
-typedef struct Kind {
-	uint32_t *inside; /* triangles that hold one */
+/* Strangers of one kind, or those of them that are beside one another. */
+typedef struct Group {
 	uint32_t held, all;
-	double areas; /* of these triangles */
-} Kind;
+	double areas; /* of the triangles that hold one */
+} Group;
+
+static void add_to_group(const Sheet *sheet, uint32_t triangle, Group *group)
+{
+	group->all++;
+	if (triangle == NONE)
+		return;
+	group->held++;
+	group->areas += area_of(sheet, sheet->triangles[triangle]);
+}
 
 /*
  * Of random points' triangles those that hold a place at random are 1.8 times as large as the mean,
  * give or take about as much; of sheets that share their places, at least six in ten strangers
- * beside a sheet are in it.
+ * beside a sheet are in it. allowed: how much of what chance may add is left to it, 0..1.
  */
-static bool lands_in_gaps(const Kind *kind)
+static bool lands_in_gaps(const Group *group, double allowed)
 {
 	static const double least_held = 0.6, most_area = 2;
-	double chance = 1 / sqrt(kind->all);
-	return kind->held < (least_held - 0.5 * chance) * kind->all ||
-	       kind->areas > (most_area + 3 * chance) * kind->held;
+	double chance = allowed / sqrt(group->all);
+	return group->held < (least_held - 0.5 * chance) * group->all ||
+	       group->areas > (most_area + 3 * chance) * group->held;
 }
 
-static void look_at_kind(const Sheet *sheet, const Beside *list, uint32_t count, bool *gaps)
+/* Strangers of one kind. */
+typedef struct Kind {
+	struct Stranger {
+		uint32_t inside; /* a triangle or NONE */
+		uint32_t next;   /* of its group, towards the first of them; of that its own */
+	} *all;
+	uint32_t count;
+	Group whole;
+} Kind;
+
+static Kind make_kind(const Sheet *sheet, const Beside *list, uint32_t count)
 {
-	Kind kind = {.inside = memory_alloc(sizeof *kind.inside * count)};
+	Kind kind = {.all = memory_alloc(sizeof *kind.all * count)};
 	for (uint32_t first = 0, size; first < count; first += size) {
 		size = photon_group_size(&list[first].stranger, sizeof *list, count - first);
-		uint32_t t = triangle_with(sheet, list + first, size);
-		kind.all++;
-		if (t == NONE)
-			continue;
-		kind.inside[kind.held++] = t;
-		kind.areas += area_of(sheet, sheet->triangles[t]);
+		uint32_t inside = triangle_with(sheet, list + first, size);
+		add_to_group(sheet, inside, &kind.whole);
+		kind.all[kind.count] = (struct Stranger){inside, kind.count};
+		kind.count++;
 	}
-	for (uint32_t i = 0; i < kind.held && lands_in_gaps(&kind); i++)
-		gaps[kind.inside[i]] = true;
-	free(kind.inside);
+	return kind;
+}
+
+static uint32_t first_of(const Kind *kind, uint32_t stranger)
+{
+	struct Stranger *all = kind->all;
+	while (all[stranger].next != stranger)
+		stranger = all[stranger].next = all[all[stranger].next].next;
+	return stranger;
+}
+
+/* Those beside one vertex are of one group. last: NONE for each vertex, and left so. */
+static void make_groups(const Kind *kind, const Beside *list, uint32_t count, uint32_t *last)
+{
+	uint32_t stranger = 0;
+	for (uint32_t i = 0; i < count; i++) {
+		uint32_t *beside = &last[list[i].vertex];
+		stranger += i > 0 && list[i].stranger != list[i - 1].stranger;
+		if (*beside != NONE) {
+			uint32_t a = first_of(kind, *beside), b = first_of(kind, stranger);
+			kind->all[a > b ? a : b].next = a > b ? b : a;
+		}
+		*beside = stranger;
+	}
+	for (uint32_t i = 0; i < count; i++)
+		last[list[i].vertex] = NONE;
+}
+
+/* Few strangers beside one another, as where a kind shares its places with the sheet and has few
+ * photons there, tell nothing: those of all such groups tell together. A larger group of a kind
+ * that lands in gaps does so too, if it does not tell clearly that it does not. */
+static void mark_gaps(const Sheet *sheet, const Kind *kind, bool *gaps)
+{
+	enum { FEW = 4 };
+	Group *groups = memory_alloc(sizeof *groups * ((size_t)kind->count + 1));
+	Group *alone = &groups[kind->count];
+	memset(groups, 0, sizeof *groups * ((size_t)kind->count + 1));
+	for (uint32_t i = 0; i < kind->count; i++)
+		add_to_group(sheet, kind->all[i].inside, &groups[first_of(kind, i)]);
+	for (uint32_t i = 0; i < kind->count; i++)
+		if (groups[first_of(kind, i)].all < FEW)
+			add_to_group(sheet, kind->all[i].inside, alone);
+	bool alone_too = alone->all > 0 && lands_in_gaps(alone, 1);
+	for (uint32_t i = 0; i < kind->count; i++) {
+		const Group *group = &groups[first_of(kind, i)];
+		if (kind->all[i].inside != NONE &&
+		    (group->all < FEW ? alone_too : lands_in_gaps(group, 0)))
+			gaps[kind->all[i].inside] = true;
+	}
+	free(groups);
+}
+
+static void look_at_kind(const Sheet *sheet, const Beside *list, uint32_t count, uint32_t *last,
+			 bool *gaps)
+{
+	Kind kind = make_kind(sheet, list, count);
+	if (lands_in_gaps(&kind.whole, 1)) {
+		make_groups(&kind, list, count, last);
+		mark_gaps(sheet, &kind, gaps);
+	}
+	free(kind.all);
 }
 
 void footprint_strangers_find(const Sheet *sheet, bool *gaps)
 {
-	uint32_t count;
+	uint32_t count, *last = memory_alloc(sizeof *last * ((size_t)sheet->count + 1));
 	Beside *list = list_beside(sheet, &count);
+	for (uint32_t i = 0; i < sheet->count; i++)
+		last[i] = NONE;
 	for (uint32_t first = 0, size; first < count; first += size) {
 		size = photon_group_size(&list[first].kind, sizeof *list, count - first);
-		look_at_kind(sheet, list + first, size, gaps);
+		look_at_kind(sheet, list + first, size, last, gaps);
 	}
+	free(last);
 	free(list);
 }
