@@ -81,7 +81,9 @@ bool cursor_expected(Cursor *cursor, const char *what)
 
 static const char *without_article(const char *what)
 {
-	return strncmp(what, "a ", 2) == 0 ? what + 2 : strncmp(what, "an ", 3) == 0 ? what + 3 : what;
+	if (strncmp(what, "a ", 2) == 0)
+		return what + 2;
+	return strncmp(what, "an ", 3) == 0 ? what + 3 : what;
 }
 
 void cursor_unexpected(Cursor *cursor)

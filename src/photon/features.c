@@ -166,7 +166,8 @@ void features_detect(RelaxSet *set, const Relaxation *settings)
 	RelaxForest *forest = relax_forest_create(set, RELAX_PARAMETER);
 	relax_forest_grow(forest);
 	double pushing = (double)settings->repulsion_neighbors / settings->neighbors;
-	FeatureJob job = {forest, settings->neighbors, settings->gradient, pushing, relax_pattern()};
+	FeatureJob job = {forest, settings->neighbors, settings->gradient, pushing,
+			  relax_pattern()};
 	relax_set_each(set, basis_run, &job);
 	relax_forest_destroy(forest);
 }

@@ -63,8 +63,8 @@ typedef enum RelaxSpace {
 void relax_set_init(RelaxSet *set, const PhotonMap *map, const RelaxSurfaces *surfaces,
 		    bool by_hue);
 void relax_set_free(RelaxSet *set);
-/* The axes of emitter space about a photon: the plane's, or tangent to the unit sphere of directions.
- */
+/* The axes of emitter space about a photon: the plane's, or tangent to the unit sphere of
+ * directions. */
 void relax_emitter_axes(const float emitter[3], bool on_plane, Vec3 axes[2]);
 /* Positions and normals back to the photons they belong to. */
 void relax_set_store(const RelaxSet *set, PhotonMap *map);

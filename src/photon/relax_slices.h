@@ -1,8 +1,8 @@
 /*
  * Slices of the spectrum. Where a photon of parted light falls depends on its hue as on where it
  * left the light: neighbours must be alike in both, or there is no one map from the light to the
- * surface, and no edge where one hue's light ends. Beyond SJ13, whose light has no hue. And hues are
- * random, so that the noise of parted light is a colour's own; each slice is evened for itself.
+ * surface, and no edge where one hue's light ends. Beyond SJ13, whose light has no hue. And hues
+ * are random, so that the noise of parted light is a colour's own; each slice is evened for itself.
  */
 #ifndef PHOTON_RELAX_SLICES_H
 #define PHOTON_RELAX_SLICES_H

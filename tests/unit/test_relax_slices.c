@@ -62,7 +62,7 @@ static double share_right(const uint8_t *slices, int count)
 	return (double)right / PHOTONS;
 }
 
-/* Photons of one hue would be 1 / sqrt(20000) apart; slices go with the smear's power 2/3, about. */
+/* Photons of one hue would be 1 / sqrt(20000) apart; slices go with about the smear's power 2/3. */
 static void test_count(void)
 {
 	const double spacing = 1 / sqrt(PHOTONS);
