@@ -46,14 +46,6 @@ static void set_brightness(void *data, long photon, int thread)
 	m->brightness[photon] = flux.r + flux.g + flux.b;
 }
 
-static Rgb *fluxes_of(const PhotonMap *map, const uint32_t *photons, uint32_t count)
-{
-	Rgb *fluxes = memory_alloc(sizeof *fluxes * ((size_t)count + 1));
-	for (uint32_t i = 0; i < count; i++)
-		fluxes[i] = photon_flux(&map->photons[photons[i]]);
-	return fluxes;
-}
-
 /* What sheets are told of photons of parted light. */
 typedef struct Parted {
 	uint32_t *photons;
@@ -120,12 +112,11 @@ static void add_slice(Making *m, uint32_t kind, const Parted *parted, uint32_t f
 	add_sheet(m, &task);
 }
 
-static void add_parted(Making *m, uint32_t kind, const uint32_t *photons, const Rgb *fluxes,
-		       uint32_t count)
+static void add_parted(Making *m, uint32_t kind, const uint32_t *photons, uint32_t count)
 {
 	Parted all = make_parted(count);
 	memcpy(all.photons, photons, sizeof *photons * count);
-	photon_hue_find(fluxes, count, all.hues);
+	photon_hue_find(m->map, photons, count, all.hues);
 	SheetTask whole = make_task(m, kind, photons, count);
 	whole.hues = all.hues;
 	whole.strangers = NULL;
@@ -142,14 +133,12 @@ static void add_parted(Making *m, uint32_t kind, const uint32_t *photons, const 
 
 static void add_kind(Making *m, uint32_t kind, const uint32_t *photons, uint32_t count)
 {
-	Rgb *fluxes = fluxes_of(m->map, photons, count);
-	if (photon_hue_parts(fluxes, count)) {
-		add_parted(m, kind, photons, fluxes, count);
+	if (photon_hue_parts(m->map, photons, count)) {
+		add_parted(m, kind, photons, count);
 	} else {
 		SheetTask task = make_task(m, kind, photons, count);
 		add_sheet(m, &task);
 	}
-	free(fluxes);
 }
 
 /* ---- discs ---- */

@@ -47,12 +47,12 @@ static bool is_pure(Rgb flux)
 	return most - least > least_saturation * most;
 }
 
-bool photon_hue_parts(const Rgb *fluxes, uint32_t count)
+bool photon_hue_parts(const PhotonMap *map, const uint32_t *photons, uint32_t count)
 {
 	enum { LOOKS = 64 };
 	uint32_t looks = count < LOOKS ? count : LOOKS, pure = 0, red = 0;
 	for (uint32_t i = 0; i < looks; i++) {
-		Rgb flux = fluxes[(uint64_t)i * count / looks];
+		Rgb flux = photon_flux(&map->photons[photons[(uint64_t)i * count / looks]]);
 		pure += is_pure(flux);
 		red += flux.r > flux.b;
 	}
@@ -61,23 +61,27 @@ bool photon_hue_parts(const Rgb *fluxes, uint32_t count)
 
 /* Photons near one another where they left the light would have the same flux if they had all hues:
  * the mean of some dozens tells it. */
-static void find_some(const Spectrum *spectrum, const Rgb *fluxes, uint32_t count, float *hues)
+static void find_some(const Spectrum *spectrum, const PhotonMap *map, const uint32_t *photons,
+		      uint32_t count, float *hues)
 {
 	double mean = 0;
-	for (uint32_t i = 0; i < count; i++)
-		mean += (fluxes[i].r + fluxes[i].g + fluxes[i].b) / 3.0 / count;
 	for (uint32_t i = 0; i < count; i++) {
-		Rgb flux = rgb_scale(fluxes[i], (float)(mean > 0 ? 1 / mean : 0));
+		Rgb flux = photon_flux(&map->photons[photons[i]]);
+		mean += (flux.r + flux.g + flux.b) / 3.0 / count;
+	}
+	for (uint32_t i = 0; i < count; i++) {
+		Rgb flux = rgb_scale(photon_flux(&map->photons[photons[i]]),
+				     (float)(mean > 0 ? 1 / mean : 0));
 		hues[i] = (float)((nearest_color(spectrum, flux) + 0.5) / HUES);
 	}
 }
 
-void photon_hue_find(const Rgb *fluxes, uint32_t count, float *hues)
+void photon_hue_find(const PhotonMap *map, const uint32_t *photons, uint32_t count, float *hues)
 {
 	enum { WINDOW = 128 };
 	const Spectrum spectrum = make_spectrum();
 	for (uint32_t from = 0, some; from < count; from += some) {
 		some = count - from < 2 * WINDOW ? count - from : WINDOW;
-		find_some(&spectrum, fluxes + from, some, hues + from);
+		find_some(&spectrum, map, photons + from, some, hues + from);
 	}
 }

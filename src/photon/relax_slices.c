@@ -128,25 +128,15 @@ static int choose_slices(const Kind *kind)
 	return (int)fmax(1, fmin(round(wanted), most));
 }
 
-static void slice_kind(Kind *kind, const Rgb *fluxes, uint8_t *slices)
+static void slice_kind(Kind *kind, uint8_t *slices)
 {
 	float *hues = memory_alloc(sizeof *hues * kind->count);
-	photon_hue_find(fluxes, kind->count, hues);
+	photon_hue_find(kind->map, kind->photons, kind->count, hues);
 	kind->hues = hues;
 	int count = choose_slices(kind);
 	for (uint32_t i = 0; i < kind->count; i++)
 		slices[kind->photons[i]] = (uint8_t)(hues[i] * (float)count);
 	free(hues);
-}
-
-static void look_at_kind(Kind *kind, uint8_t *slices)
-{
-	Rgb *fluxes = memory_alloc(sizeof *fluxes * kind->count);
-	for (uint32_t i = 0; i < kind->count; i++)
-		fluxes[i] = photon_flux(&kind->map->photons[kind->photons[i]]);
-	if (photon_hue_parts(fluxes, kind->count))
-		slice_kind(kind, fluxes, slices);
-	free(fluxes);
 }
 
 uint8_t *relax_slices(const PhotonMap *map)
@@ -160,8 +150,8 @@ uint8_t *relax_slices(const PhotonMap *map)
 	for (uint32_t first = 0, size; first < map->count; first += size) {
 		size = photon_group_size(kinds + first, sizeof *kinds, map->count - first);
 		Kind kind = {map, photons + first, NULL, size};
-		if (size >= 2 * LEAST_PHOTONS)
-			look_at_kind(&kind, slices);
+		if (size >= 2 * LEAST_PHOTONS && photon_hue_parts(map, kind.photons, size))
+			slice_kind(&kind, slices);
 	}
 	free(photons);
 	free(kinds);
