@@ -14,18 +14,24 @@ plane { z, 3 pigment { marble turbulence 1 } }
 END
 size='+W320 +H240 +A0.0 +R3'
 
+# signal_after FILE: to $process when the file is there, or after half a minute.
+signal_after()
+{
+	tries=0
+	while [ ! -e "$1" ] && [ $tries -lt 300 ]; do
+		sleep 0.1
+		tries=$((tries + 1))
+	done
+	kill -TERM "$process"
+}
+
 # stopped WORD...: runs in the background, is stopped after the first update, gives the status.
 stopped()
 {
 	# shellcheck disable=SC2086
 	"$COGNAC" slow.pov $size +Osoon.png --update=0.02 "$@" >out 2>err &
 	process=$!
-	tries=0
-	while [ ! -e soon.png ] && [ $tries -lt 300 ]; do
-		sleep 0.1
-		tries=$((tries + 1))
-	done
-	kill -TERM "$process"
+	signal_after soon.png
 	wait "$process"
 }
 
@@ -64,12 +70,7 @@ sed -e 's/#version.*/#version unofficial cognac 1.0;/' -e 's/count 4000/&0 relax
 	caustic.pov >restless.pov
 "$COGNAC" restless.pov +W8 +H6 +Omoved.png --photons moved.ply --photons-landed landed.ply >out 2>err &
 process=$!
-tries=0
-while [ ! -e landed.ply ] && [ $tries -lt 300 ]; do
-	sleep 0.1
-	tries=$((tries + 1))
-done
-kill -TERM "$process"
+signal_after landed.ply
 begin=$(date +%s)
 wait "$process"
 got=$?
