@@ -88,13 +88,10 @@ static void read_angle(Cursor *cursor, CameraReading *reading)
 /* blur_samples [least,] most */
 static void read_samples(Cursor *cursor, Camera *camera)
 {
-	double most;
-	if (!cursor_take_int(cursor, &camera->blur_samples))
+	if (!cursor_take_int(cursor, &camera->blur_samples) || !cursor_peek_float(cursor))
 		return;
-	if (cursor_accept_float(cursor, &most)) {
-		camera->blur_samples_min = camera->blur_samples;
-		camera->blur_samples = (int)most;
-	}
+	camera->blur_samples_min = camera->blur_samples;
+	cursor_take_int(cursor, &camera->blur_samples);
 }
 
 static bool accept_blur(Cursor *cursor, CameraReading *reading)

@@ -46,17 +46,6 @@ static float *fill_color(Arena *arena, const VectorFunction *function, int width
 	return pixels;
 }
 
-static bool take_size(Cursor *inside, int *size)
-{
-	if (!cursor_take_int(inside, size))
-		return false;
-	if (*size >= 1 && *size <= RESOLUTION_MAX)
-		return true;
-	diag_error(inside->context->diag, inside->block->where,
-		   "an image of a function is 1 to %d pixels wide and high", RESOLUTION_MAX);
-	return false;
-}
-
 bool build_function_image(Context *context, const Node *block, ImageMap *map)
 {
 	Arena *arena = context->builder->arena;
@@ -65,8 +54,8 @@ bool build_function_image(Context *context, const Node *block, ImageMap *map)
 	const VectorFunction *color = gray ? NULL
 					   : cursor_take_item(&inside, VALUE_VECTOR_FUNCTION,
 							      "a function");
-	if ((!gray && !color) || !take_size(&inside, &map->width) ||
-	    !take_size(&inside, &map->height))
+	if ((!gray && !color) || !cursor_take_whole(&inside, 1, RESOLUTION_MAX, &map->width) ||
+	    !cursor_take_whole(&inside, 1, RESOLUTION_MAX, &map->height))
 		return false;
 	if ((gray ? function_arity(gray) : color->arity) != 3) {
 		diag_error(context->diag, block->where, "a function for an image takes x, y and z");

@@ -58,11 +58,11 @@ static bool read_area(Cursor *cursor, Light *light)
 	if (!cursor_take_vec3(cursor, &light->axis1) || !cursor_take_vec3(cursor, &light->axis2))
 		return false;
 	Location where = cursor_where(cursor);
-	if (!cursor_take_int(cursor, &light->size1) || !cursor_take_int(cursor, &light->size2))
-		return false;
+	bool whole = cursor_take_int(cursor, &light->size1);
+	whole &= cursor_take_int(cursor, &light->size2);
 	double lights = (double)light->size1 * light->size2;
-	bool good = lights >= 1 && lights <= MOST_LIGHTS;
-	if (!good)
+	bool good = whole && lights >= 1 && lights <= MOST_LIGHTS;
+	if (whole && !good)
 		diag_error(cursor->context->diag, where,
 			   "an area light is of 1 to %d lights, not %.0f", MOST_LIGHTS, lights);
 	light->size1 = good ? abs(light->size1) : 1; /* two negative ones pass in POV-Ray */

@@ -120,11 +120,12 @@ void build_object_adopt(Cursor *cursor, Object *object, const ObjectList *list)
 }
 
 bool build_shape_set(Cursor *cursor, Object *object, const ShapeClass *class, const void *data,
-		     const char *error)
+		     const char *const *error)
 {
 	if (!data) {
 		diag_error(cursor->context->diag, cursor->block->where, "%s: %s",
-			   word_text(cursor->block->word), error ? error : "cannot be made");
+			   word_text(cursor->block->word),
+			   error && *error ? *error : "cannot be made");
 		return false;
 	}
 	object->class = class;

@@ -7,10 +7,19 @@
 
 static Arena *scene_arena(const Cursor *cursor) { return cursor->context->builder->arena; }
 
+/* Where it is none, what it counts makes no sense and is passed over. */
+static bool take_count(Cursor *cursor, int *count)
+{
+	bool good = cursor_take_int(cursor, count);
+	if (!good)
+		cursor->at = NULL;
+	return good;
+}
+
 /* A count, then so many points. */
 static const Vec2 *take_points(Cursor *cursor, int *count)
 {
-	if (!cursor_take_int(cursor, count))
+	if (!take_count(cursor, count))
 		return NULL;
 	int capacity = 0;
 	for (const Node *node = cursor->at; node && node->kind == NODE_VALUE; node = node->next)
@@ -59,7 +68,7 @@ bool build_prism(Cursor *cursor, Object *object)
 		return false;
 	desc.open = cursor_accept_word(cursor, W_open);
 	return build_shape_set(cursor, object, &prism_class,
-			       prism_create(scene_arena(cursor), &desc, &error), error);
+			       prism_create(scene_arena(cursor), &desc, &error), &error);
 }
 
 bool build_lathe(Cursor *cursor, Object *object)
@@ -69,7 +78,7 @@ bool build_lathe(Cursor *cursor, Object *object)
 	if (!(desc.points = take_points(cursor, &desc.point_count)))
 		return false;
 	return build_shape_set(cursor, object, &lathe_class,
-			       lathe_create(scene_arena(cursor), &desc, &error), error);
+			       lathe_create(scene_arena(cursor), &desc, &error), &error);
 }
 
 bool build_sor(Cursor *cursor, Object *object)
@@ -80,12 +89,12 @@ bool build_sor(Cursor *cursor, Object *object)
 		return false;
 	desc.open = cursor_accept_word(cursor, W_open);
 	return build_shape_set(cursor, object, &sor_class,
-			       sor_create(scene_arena(cursor), &desc, &error), error);
+			       sor_create(scene_arena(cursor), &desc, &error), &error);
 }
 
 static bool take_spheres(Cursor *cursor, SphereSweepDesc *desc)
 {
-	if (!cursor_take_int(cursor, &desc->count))
+	if (!take_count(cursor, &desc->count))
 		return false;
 	int capacity = 0;
 	for (const Node *node = cursor->at; node && node->kind == NODE_VALUE; node = node->next)
@@ -117,7 +126,7 @@ bool build_sphere_sweep(Cursor *cursor, Object *object)
 	if (cursor_accept_word(cursor, W_tolerance) && !cursor_take_float(cursor, &desc.tolerance))
 		return false;
 	const void *data = sphere_sweep_create(scene_arena(cursor), &desc, &error);
-	return build_shape_set(cursor, object, &sphere_sweep_class, data, error);
+	return build_shape_set(cursor, object, &sphere_sweep_class, data, &error);
 }
 
 /* text { internal n ... }: POV-Ray keeps these fonts in its program; they stand beside its includes
@@ -165,5 +174,5 @@ bool build_text(Cursor *cursor, Object *object)
 		return false;
 	desc.offset = (Vec2){offset.x, offset.y};
 	return build_shape_set(cursor, object, &text_class,
-			       text_create(scene_arena(cursor), &desc, &error), error);
+			       text_create(scene_arena(cursor), &desc, &error), &error);
 }

@@ -109,7 +109,7 @@ bool build_blob(Cursor *cursor, Object *object)
 	object->textures = reading.textures;
 	object->texture_count = reading.texture_count;
 	return build_shape_set(cursor, object, &blob_class,
-			       blob_create(scene_arena(cursor), &desc, &error), error);
+			       blob_create(scene_arena(cursor), &desc, &error), &error);
 }
 
 /* function { ... }: of at most three arguments. */
@@ -163,7 +163,7 @@ static double isosurface_value(const void *function, Vec3 p)
 
 static bool read_isosurface_item(Cursor *cursor, IsosurfaceDesc *desc, bool *good)
 {
-	double number = 1;
+	int number = 1;
 	if (cursor_peek_word(cursor) == W_contained_by)
 		*good &= read_container(cursor, &desc->container);
 	else if (cursor_accept_word(cursor, W_threshold))
@@ -179,11 +179,11 @@ static bool read_isosurface_item(Cursor *cursor, IsosurfaceDesc *desc, bool *goo
 	else if (cursor_accept_word(cursor, W_all_intersections))
 		desc->max_trace = 0;
 	else if (cursor_accept_word(cursor, W_max_trace))
-		*good &= cursor_take_float(cursor, &number);
+		*good &= cursor_take_int(cursor, &number);
 	else
 		return false;
 	if (number > 1)
-		desc->max_trace = (int)number;
+		desc->max_trace = number;
 	return true;
 }
 
@@ -257,7 +257,7 @@ bool build_parametric(Cursor *cursor, Object *object)
 	if (!good)
 		return false;
 	const void *data = parametric_create(scene_arena(cursor), &desc, &error);
-	return build_shape_set(cursor, object, &parametric_class, data, error);
+	return build_shape_set(cursor, object, &parametric_class, data, &error);
 }
 
 static const struct {
@@ -337,5 +337,5 @@ bool build_julia_fractal(Cursor *cursor, Object *object)
 	if (!good)
 		return false;
 	const void *data = julia_create(scene_arena(cursor), &desc, &error);
-	return build_shape_set(cursor, object, &julia_fractal_class, data, error);
+	return build_shape_set(cursor, object, &julia_fractal_class, data, &error);
 }

@@ -118,15 +118,12 @@ static bool read_function(Cursor *outer, const Node *block, HeightFieldDesc *des
 	Cursor inside = cursor_begin(outer->context, block), *cursor = &inside;
 	Location where = block->where;
 	const Function *function = take_height_function(cursor);
-	if (!function || !cursor_take_int(cursor, &desc->width) ||
-	    !cursor_take_int(cursor, &desc->depth))
+	if (!function || !cursor_take_whole(cursor, 2, RESOLUTION_MAX, &desc->width) ||
+	    !cursor_take_whole(cursor, 2, RESOLUTION_MAX, &desc->depth))
 		return false;
-	bool sound = desc->width >= 2 && desc->depth >= 2 && desc->width <= RESOLUTION_MAX &&
-		     desc->depth <= RESOLUTION_MAX;
-	if (!sound || function_arity(function) > 3) {
+	if (function_arity(function) > 3) {
 		diag_error(cursor->context->diag, where,
-			   sound ? "this function has more than three parameters"
-				 : "a resolution from 2 to 16384 was expected");
+			   "this function has more than three parameters");
 		return false;
 	}
 	float *heights = ARENA_ARRAY(cursor->context->builder->arena, float,
@@ -165,5 +162,5 @@ bool build_height_field(Cursor *cursor, Object *object)
 		return false;
 	const void *data = height_field_create(cursor->context->builder->arena, &desc, &error);
 	const ShapeClass *class = desc.smooth ? &smooth_height_field_class : &height_field_class;
-	return build_shape_set(cursor, object, class, data, error);
+	return build_shape_set(cursor, object, class, data, &error);
 }

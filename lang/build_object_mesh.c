@@ -161,7 +161,7 @@ static bool finish_mesh(Cursor *cursor, Object *object, MeshDesc *desc)
 	if (!read_mesh_words(cursor, desc))
 		return false;
 	return build_shape_set(cursor, object, &mesh_class,
-			       mesh_create(scene_arena(cursor), desc, &error), error);
+			       mesh_create(scene_arena(cursor), desc, &error), &error);
 }
 
 bool build_mesh(Cursor *cursor, Object *object)
@@ -242,17 +242,6 @@ static float (*read_uvs(Cursor *cursor, const Node *block, int *count))[2]
 	return cursor_end(&inside) ? uvs : NULL;
 }
 
-static bool take_indices(Cursor *cursor, int out[3])
-{
-	Vec3 v;
-	if (!cursor_take_vec3(cursor, &v))
-		return false;
-	out[0] = (int)v.x;
-	out[1] = (int)v.y;
-	out[2] = (int)v.z;
-	return true;
-}
-
 /* One or three texture numbers after a face; none: -1. */
 static bool read_face_textures(Cursor *cursor, int numbers[3])
 {
@@ -278,7 +267,7 @@ static bool read_faces(Cursor *cursor, const Node *block, MeshDesc *desc)
 	int(*faces)[3] = arena_alloc(scene_arena(cursor), sizeof *faces * (size_t)count);
 	int(*textures)[3] = arena_alloc(scene_arena(cursor), sizeof *textures * (size_t)count);
 	for (int i = 0; i < count; i++) {
-		if (!take_indices(&inside, faces[i]))
+		if (!cursor_take_ints(&inside, faces[i]))
 			return false;
 		textured |= read_face_textures(&inside, textures[i]);
 	}
@@ -298,7 +287,7 @@ static const int (*read_index_rows(Cursor *cursor, const Node *block, int faces)
 	int (*rows)[3] = arena_alloc(scene_arena(cursor),
 				     sizeof *rows * (size_t)(faces > count ? faces : count));
 	for (int i = 0; i < count; i++)
-		if (!take_indices(&inside, rows[i]))
+		if (!cursor_take_ints(&inside, rows[i]))
 			return NULL;
 	for (int i = count; i < faces; i++)
 		rows[i][0] = rows[i][1] = rows[i][2] = -1;
@@ -435,5 +424,5 @@ bool build_polygon(Cursor *cursor, Object *object)
 		if (!cursor_take_vec3(cursor, &points[i]))
 			return false;
 	const void *data = polygon_create(scene_arena(cursor), points, count, &error);
-	return build_shape_set(cursor, object, &polygon_class, data, error);
+	return build_shape_set(cursor, object, &polygon_class, data, &error);
 }

@@ -22,7 +22,7 @@ static bool finish_poly(Cursor *cursor, Object *object, int order, const double 
 {
 	const char *error = NULL;
 	const void *data = poly_create(scene_arena(cursor), order, coefficients, &error);
-	return build_shape_set(cursor, object, &poly_class, data, error);
+	return build_shape_set(cursor, object, &poly_class, data, &error);
 }
 
 static bool read_poly(Cursor *cursor, Object *object, int order)

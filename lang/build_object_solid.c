@@ -36,7 +36,7 @@ static bool finish_cone(Cursor *cursor, Object *object, ConeDesc *desc, const Sh
 	const char *error = NULL;
 	desc->open = cursor_accept_word(cursor, W_open);
 	const void *data = cone_create(scene_arena(cursor), desc, &error);
-	return build_shape_set(cursor, object, class, data, error);
+	return build_shape_set(cursor, object, class, data, &error);
 }
 
 bool build_cylinder(Cursor *cursor, Object *object)
@@ -76,7 +76,7 @@ bool build_plane(Cursor *cursor, Object *object)
 	if (!cursor_take_vec3(cursor, &normal) || !cursor_take_float(cursor, &distance))
 		return false;
 	const void *data = plane_create(scene_arena(cursor), normal, distance, &error);
-	return build_shape_set(cursor, object, &plane_class, data, error);
+	return build_shape_set(cursor, object, &plane_class, data, &error);
 }
 
 bool build_disc(Cursor *cursor, Object *object)
@@ -106,5 +106,5 @@ bool build_ovus(Cursor *cursor, Object *object)
 	if (!cursor_take_float(cursor, &bottom) || !cursor_take_float(cursor, &top))
 		return false;
 	const void *data = ovus_create(scene_arena(cursor), bottom, top, &error);
-	return build_shape_set(cursor, object, &ovus_class, data, error);
+	return build_shape_set(cursor, object, &ovus_class, data, &error);
 }

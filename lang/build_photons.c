@@ -5,34 +5,19 @@
 
 /* ---- numbers with bounds ---- */
 
-/* A whole number of at least 1. */
-static bool take_count(Cursor *cursor, int *out)
+/* How many paths to trace: no int, as memory holds more photons than an int counts. */
+static void take_paths(Cursor *cursor, double *out)
 {
+	static const double most = 1e15; /* more are not traced in a lifetime */
 	Location where = cursor_where(cursor);
-	int count;
-	if (!cursor_take_int(cursor, &count))
-		return false;
-	if (count >= 1)
-		*out = count;
+	double count;
+	if (!cursor_take_float(cursor, &count))
+		return;
+	if (count >= 1 && count <= most)
+		*out = floor(count);
 	else
-		diag_error(cursor->context->diag, where, "this must be at least 1, not %d", count);
-	return count >= 1;
-}
-
-/* A whole number from least to most. */
-static bool take_whole(Cursor *cursor, int least, int most, int *out)
-{
-	Location where = cursor_where(cursor);
-	int number;
-	if (!cursor_take_int(cursor, &number))
-		return false;
-	bool fits = number >= least && number <= most;
-	if (fits)
-		*out = number;
-	else
-		diag_error(cursor->context->diag, where, "this must be from %d to %d, not %d",
-			   least, most, number);
-	return fits;
+		diag_error(cursor->context->diag, where, "this must be from 1 to %g, not %g", most,
+			   count);
 }
 
 /* A number above 0. */
@@ -55,7 +40,7 @@ enum { NEAREST_COUNT = 50 };
 
 static bool take_photons(Cursor *cursor, Estimator *estimator)
 {
-	return take_whole(cursor, 1, ESTIMATOR_MOST_PHOTONS, &estimator->count);
+	return cursor_take_whole(cursor, 1, ESTIMATOR_MOST_PHOTONS, &estimator->count);
 }
 
 static bool take_radius(Cursor *cursor, Estimator *estimator)
@@ -198,11 +183,11 @@ static void skip_unbraced(Cursor *cursor)
 static void take_iterations(Cursor *cursor, Relaxation *relaxation)
 {
 	enum { MOST = 1000 };
-	if (!take_whole(cursor, 0, MOST, &relaxation->parameter_iterations))
+	if (!cursor_take_whole(cursor, 0, MOST, &relaxation->parameter_iterations))
 		return;
 	relaxation->world_iterations = relaxation->parameter_iterations;
 	if (cursor_peek_float(cursor))
-		take_whole(cursor, 0, MOST, &relaxation->world_iterations);
+		cursor_take_whole(cursor, 0, MOST, &relaxation->world_iterations);
 }
 
 static void read_relaxation_item(Cursor *cursor, Relaxation *relaxation)
@@ -214,9 +199,9 @@ static void read_relaxation_item(Cursor *cursor, Relaxation *relaxation)
 	} else if (cursor_accept_word(cursor, W_iterations)) {
 		take_iterations(cursor, relaxation);
 	} else if (cursor_accept_word(cursor, W_neighbors)) {
-		take_whole(cursor, 3, 1000, &relaxation->neighbors);
+		cursor_take_whole(cursor, 3, 1000, &relaxation->neighbors);
 	} else if (cursor_accept_word(cursor, W_repulsion_neighbors)) {
-		take_whole(cursor, 1, 255, &relaxation->repulsion_neighbors);
+		cursor_take_whole(cursor, 1, 255, &relaxation->repulsion_neighbors);
 	} else if (cursor_accept_word(cursor, W_range)) {
 		take_positive(cursor, &relaxation->range);
 	} else if (cursor_accept_word(cursor, W_gradient)) {
@@ -274,7 +259,7 @@ static Progressive read_progressive(Context *context, const Node *block)
 	Cursor cursor = cursor_begin(context, block);
 	while (!cursor_at_end(&cursor)) {
 		if (cursor_accept_word(&cursor, W_passes))
-			take_count(&cursor, &progressive.passes);
+			cursor_take_whole(&cursor, 1, PROGRESSIVE_MOST_PASSES, &progressive.passes);
 		else if (cursor_accept_word(&cursor, W_time))
 			take_positive(&cursor, &progressive.seconds);
 		else if (cursor_accept_word(&cursor, W_radius))
@@ -329,7 +314,7 @@ static bool accept_global_number(Cursor *cursor, PhotonSettings *settings)
 		take_positive(cursor, &settings->spacing);
 	} else if (cursor_accept_word(cursor, W_count)) {
 		settings->where = where;
-		take_count(cursor, &settings->count);
+		take_paths(cursor, &settings->count);
 	} else if (cursor_accept_word(cursor, W_gather)) {
 		read_gather(cursor, settings);
 	} else if (cursor_accept_word(cursor, W_radius)) {

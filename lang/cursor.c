@@ -192,13 +192,46 @@ bool cursor_take_float(Cursor *cursor, double *out)
 	return true;
 }
 
+static bool to_int(Cursor *cursor, Location where, double number, int *out)
+{
+	bool fits = number > INT_MIN - 1.0 && number < INT_MAX + 1.0;
+	if (fits)
+		*out = (int)number;
+	else
+		diag_error(cursor->context->diag, where,
+			   "a whole number is from %d to %d here, not %g", INT_MIN, INT_MAX,
+			   number);
+	return fits;
+}
+
 bool cursor_take_int(Cursor *cursor, int *out)
 {
-	double number = 0;
-	if (!cursor_take_float(cursor, &number))
+	Location where = cursor_where(cursor);
+	double number;
+	return cursor_take_float(cursor, &number) && to_int(cursor, where, number, out);
+}
+
+bool cursor_take_ints(Cursor *cursor, int out[3])
+{
+	Location where = cursor_where(cursor);
+	Vec3 v;
+	return cursor_take_vec3(cursor, &v) && to_int(cursor, where, v.x, &out[0]) &&
+	       to_int(cursor, where, v.y, &out[1]) && to_int(cursor, where, v.z, &out[2]);
+}
+
+bool cursor_take_whole(Cursor *cursor, int least, int most, int *out)
+{
+	Location where = cursor_where(cursor);
+	int number;
+	if (!cursor_take_int(cursor, &number))
 		return false;
-	*out = (int)fmax(INT_MIN, fmin(INT_MAX, isnan(number) ? 0 : number));
-	return true;
+	bool fits = number >= least && number <= most;
+	if (fits)
+		*out = number;
+	else
+		diag_error(cursor->context->diag, where, "this must be from %d to %d, not %d",
+			   least, most, number);
+	return fits;
 }
 
 bool cursor_take_vec2(Cursor *cursor, Vec2 *out)

@@ -66,7 +66,11 @@ const void *cursor_accept_item(Cursor *cursor, ValueKind kind);
 
 /* These leave *out alone on failure. */
 bool cursor_take_float(Cursor *cursor, double *out);
+/* Cut towards 0; what an int does not hold is reported. */
 bool cursor_take_int(Cursor *cursor, int *out);
+/* A vector's components. */
+bool cursor_take_ints(Cursor *cursor, int out[3]);
+bool cursor_take_whole(Cursor *cursor, int least, int most, int *out);
 bool cursor_take_vec2(Cursor *cursor, Vec2 *out);
 bool cursor_take_vec3(Cursor *cursor, Vec3 *out);
 /* Any numeric value; a float f is <f, f, f, 0, 0>. */

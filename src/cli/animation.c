@@ -9,12 +9,14 @@ static int first_frame(double said, int final_frame, int initial_frame)
 	double frame = said < 0   ? initial_frame
 		       : said < 1 ? floor(said * final_frame)
 				  : floor(said);
-	return frame > initial_frame ? (int)frame : initial_frame;
+	return (int)fmin(fmax(frame, initial_frame), OPTIONS_MOST_WHOLE);
 }
 
 static int last_frame(double said, int final_frame, int fallback)
 {
-	return said < 0 ? fallback : said < 1 ? (int)floor(said * final_frame + 0.5) : (int)said;
+	return said < 0   ? fallback
+	       : said < 1 ? (int)floor(said * final_frame + 0.5)
+			  : (int)fmin(said, OPTIONS_MOST_WHOLE);
 }
 
 Animation animation_plan(const Options *options)

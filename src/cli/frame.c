@@ -15,13 +15,13 @@
 /* Up to 1 a share of the size, else counted from 1: the first pixel or row. */
 static int region_start(double said, int size)
 {
-	return said < 0 ? 0 : said < 1 ? (int)floor(said * size) : (int)said - 1;
+	return said < 0 ? 0 : said < 1 ? (int)floor(said * size) : (int)fmin(said - 1, size);
 }
 
 /* One past the last. */
 static int region_end(double said, int size)
 {
-	return said < 0 ? size : said <= 1 ? (int)floor(said * size) : (int)said;
+	return said < 0 ? size : said <= 1 ? (int)floor(said * size) : (int)fmin(said, size + 1.0);
 }
 
 bool frame_region(const Options *options, FilmRect *out, Diag *diag)

@@ -1,6 +1,7 @@
 #include "cli/options.h"
 
 #include <ctype.h>
+#include <math.h>
 #include <stddef.h>
 #include <stdlib.h>
 #include <string.h>
@@ -78,14 +79,14 @@ static const Key keys[] = {
 	{"Field_Render", NOTHING(FLAG)},
 	{"File_Gamma", CALL(set_gamma)},
 	{"Final_Clock", KEY_REAL, FIELD(final_clock), ANY},
-	{"Final_Frame", KEY_WHOLE, FIELD(final_frame), 0, 1e9, NULL},
-	{"Frame_Step", KEY_WHOLE, FIELD(frame_step), 1, 1e9, NULL},
+	{"Final_Frame", KEY_WHOLE, FIELD(final_frame), 0, OPTIONS_MOST_WHOLE, NULL},
+	{"Frame_Step", KEY_WHOLE, FIELD(frame_step), 1, OPTIONS_MOST_WHOLE, NULL},
 	{"Grayscale_Output", FLAG(gray)},
-	{"Height", KEY_WHOLE, FIELD(height), 0, 1e9, NULL},
+	{"Height", KEY_WHOLE, FIELD(height), 0, OPTIONS_MOST_WHOLE, NULL},
 	{"High_Reproducibility", NOTHING(FLAG)},
 	{"Include_Header", TEXT(include_header)},
 	{"Initial_Clock", KEY_REAL, FIELD(initial_clock), ANY},
-	{"Initial_Frame", KEY_WHOLE, FIELD(initial_frame), 0, 1e9, NULL},
+	{"Initial_Frame", KEY_WHOLE, FIELD(initial_frame), 0, OPTIONS_MOST_WHOLE, NULL},
 	{"Input_File_Name", TEXT(input)},
 	{"Jitter", FLAG(jitter)},
 	{"Jitter_Amount", CALL(set_jitter)},
@@ -140,7 +141,7 @@ static const Key keys[] = {
 	{"Warning_Console", FLAG(show_warnings)},
 	{"Warning_File", NOTHING(TEXT)},
 	{"Warning_Level", KEY_WHOLE, FIELD(warning_level), 0, 10, NULL},
-	{"Width", KEY_WHOLE, FIELD(width), 0, 1e9, NULL},
+	{"Width", KEY_WHOLE, FIELD(width), 0, OPTIONS_MOST_WHOLE, NULL},
 	{"Work_Threads", KEY_WHOLE, FIELD(threads), 0, 512, NULL},
 };
 
@@ -225,7 +226,9 @@ static bool set_field(Options *options, const Key *key, const char *value)
 		return false;
 	switch (key->kind) {
 	case KEY_FLAG: *(bool *)field = options_truth(value); return true;
-	case KEY_WHOLE: *(int *)field = (int)clamped(key, number); return true;
+	case KEY_WHOLE:
+		*(int *)field = (int)clamped(key, number);
+		return fabs(number) <= OPTIONS_MOST_WHOLE;
 	case KEY_REAL: *(double *)field = clamped(key, number); return true;
 	case KEY_TEXT:
 		*(const char **)field = arena_strdup(options->arena, value);
@@ -251,7 +254,8 @@ bool options_set(Options *options, const char *name, const char *value, Diag *di
 			continue;
 		if (set_field(options, &keys[i], value))
 			return true;
-		diag_fail(diag, "the option %s does not take \"%s\"", keys[i].name, value);
+		diag_fail(diag, "the option %s does not take \"%s\"%s", keys[i].name, value,
+			  keys[i].kind == KEY_WHOLE ? ", only whole numbers up to a billion" : "");
 		return false;
 	}
 	diag_fail(diag, "unknown option %s=%s", name, value);

@@ -28,6 +28,8 @@ typedef enum ShellMoment {
 } ShellMoment;
 
 enum { OPTIONS_MAXIMUM_PATHS = 64, OPTIONS_MAXIMUM_CONSTANTS = 256 };
+/* No whole number of an option is larger: a frame more than the last is still an int. */
+enum { OPTIONS_MOST_WHOLE = 1000000000 };
 
 typedef struct Options {
 	Arena *arena;

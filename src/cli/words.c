@@ -1,5 +1,6 @@
 /* The words of a command line: long options, switches, keys, INI files, scenes. */
 #include <ctype.h>
+#include <errno.h>
 #include <stdlib.h>
 #include <string.h>
 #include <strings.h>
@@ -18,10 +19,11 @@ typedef struct LongOption {
 static bool set_seed(Options *options, const char *value, Diag *diag)
 {
 	char *end;
+	errno = 0;
 	options->seed = strtoull(value, &end, 0);
-	if (*value && !*end && *value != '-')
+	if (*value && !*end && *value != '-' && errno == 0)
 		return true;
-	diag_fail(diag, "--seed wants a whole number, not %s", value);
+	diag_fail(diag, "--seed wants a whole number of at most 64 bits, not %s", value);
 	return false;
 }
 
@@ -67,13 +69,13 @@ static bool set_estimator(Options *options, const char *value, Diag *diag)
 
 static bool set_passes(Options *options, const char *value, Diag *diag)
 {
-	enum { MOST_PASSES = 1000000000 };
 	char *end;
 	long passes = strtol(value, &end, 10);
 	options->passes = (int)passes;
-	if (*value && !*end && passes > 0 && passes <= MOST_PASSES)
+	if (*value && !*end && passes > 0 && passes <= PROGRESSIVE_MOST_PASSES)
 		return true;
-	diag_fail(diag, "--passes wants a whole number from 1 to %d, not %s", MOST_PASSES, value);
+	diag_fail(diag, "--passes wants a whole number from 1 to %d, not %s",
+		  PROGRESSIVE_MOST_PASSES, value);
 	return false;
 }
 

@@ -234,8 +234,7 @@ static void share_out(const Scene *scene, PhotonAims *aims, const double *densit
 		      const PhotonTraceOptions *options)
 {
 	const PhotonSettings *settings = &scene->settings.photons;
-	double total = 0,
-	       count = (double)(options->count ? options->count : (uint64_t)settings->count);
+	double total = 0, count = options->count ? (double)options->count : settings->count;
 	for (int i = 0; i < aims->count; i++)
 		total += aimed_area(&aims->aims[i]) * density[i] *
 			 box_share(scene, &aims->aims[i]);

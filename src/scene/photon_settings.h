@@ -54,6 +54,8 @@ typedef enum Reduction {
 	REDUCTION_SCHEDULE
 } Reduction;
 
+enum { PROGRESSIVE_MOST_PASSES = 1000000000 };
+
 typedef struct Progressive {
 	bool on;
 	int passes;     /* 0: as many as the time allows */
@@ -69,7 +71,7 @@ typedef struct PhotonSettings {
 	bool on;
 	Location where;             /* how many were asked for */
 	double spacing;             /* 0: unset */
-	int count;                  /* 0: unset */
+	double count;               /* of paths, whole; 0: unset */
 	int gather_min, gather_max; /* 20, 100 */
 	/* Surface and media: first radius, its factor, then the same for gathering. 0: unset. */
 	struct { double radius, factor, gather_radius, gather_factor; } radii[PHOTON_RADII];

@@ -23,6 +23,17 @@ refused '^cognac: error: --passes wants a whole number from 1 to 1000000000, not
 refused '^cognac: error: --passes wants a whole number from 1 to 1000000000, not 2000000000' \
 	caustic.pov --passes 2000000000
 
+# Whole numbers that no option can hold are not cut without a word.
+for option in +W3000000000 +KFF5000000000 Height=1e300 Subset_End_Frame=nan; do
+	refused "^cognac: error: the option [A-Z_a-z]* does not take \"[0-9a-z]*\"" \
+		ball.pov $option
+done
+refused '^cognac: error: --seed wants a whole number of at most 64 bits' \
+	ball.pov --seed 99999999999999999999
+refused '^cognac: error: the columns or rows to render lie outside' ball.pov +SC3000000000
+echo 'Final_Frame=5000000000' >long.ini
+refused '^cognac: error: in long.ini, line 1$' long.ini ball.pov
+
 # Of the paths at the ball nearly all leave a photon. The place is where the scene asks for them.
 sed 's/count 4000/count 2000000000 relaxation { constrained }/
 	1s/$/ #version unofficial cognac 1.0;/' caustic.pov >many.pov
@@ -31,6 +42,8 @@ refused '^many.pov:2:29: error: 2000 million paths would leave about 19[0-9][0-9
 grep -q 'which take 7[0-9][0-9] GB of memory; here are [0-9.]* GB, for [0-9]* million$' err ||
 	fail "memory is told as $(cat err)"
 refused '^many.pov:2:29: error: 2000 million paths' many.pov +W8 +H6 --passes 3
+sed 's/count 4000/count 3000000000/' caustic.pov >many.pov
+refused '^many.pov:2:29: error: 3000 million paths' many.pov +W8 +H6
 sed 's/count 4000/spacing 1e-200/' caustic.pov >many.pov
 refused '^many.pov:2:29: error: 1000000000 million paths' many.pov +W8 +H6
 
