@@ -137,4 +137,5 @@ const ShapeClass box_class = {
 	.placed = box_placed,
 	.quick = true,
 	.unit_normal = true,
+	.closed = shape_class_is_closed,
 };

@@ -147,6 +147,11 @@ static bool cone_inside(const void *data, Vec3 p)
 	return z >= 0 && z <= cone->height && vec3_length2(across) <= radius * radius;
 }
 
+static bool cone_closed(const void *data)
+{
+	return !((const Cone *)data)->open;
+}
+
 static Vec3 cone_normal(const void *data, const Hit *hit, Vec3 p)
 {
 	const Cone *cone = data;
@@ -174,6 +179,7 @@ const ShapeClass cone_class = {
 	.normal = cone_normal,
 	.flat_at = cone_flat_at,
 	.nearest = cone_nearest,
+	.closed = cone_closed,
 };
 
 const ShapeClass cylinder_class = {
@@ -184,4 +190,5 @@ const ShapeClass cylinder_class = {
 	.normal = cone_normal,
 	.flat_at = cone_flat_at,
 	.nearest = cone_nearest,
+	.closed = cone_closed,
 };

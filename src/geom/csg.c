@@ -176,6 +176,18 @@ static bool is_on_surface(const CsgView *view, int i, Vec3 p)
 	return true;
 }
 
+/* Of a child that the ray nowhere crosses: whether it leaves nothing of the others' surfaces along
+ * the ray, since that is outside of what they intersect with, or inside of what they merge with.
+ * Far from the ends, which may lie on the child's surface. */
+static bool leaves_nothing(const CsgView *view, int i, const Ray *ray)
+{
+	const Shape *child = view->csg->children[i];
+	if (!child->closed || !(ray->tmax < INFINITY))
+		return false;
+	bool leaving = (view->operation == CSG_INTERSECTION) != view->flip;
+	return shape_inside(child, ray_at(ray, 0.5 * (ray->tmin + ray->tmax))) != leaving;
+}
+
 /* ---- all crossings ---- */
 
 typedef struct RayQuery {
@@ -192,6 +204,8 @@ static bool visit_crossings(void *data, int item)
 	shape_intersect(query->view.csg->children[item], query->ray, out);
 	if (query->view.operation == CSG_UNION)
 		return false;
+	if (out->count == kept)
+		return leaves_nothing(&query->view, item, query->ray);
 	for (int i = kept; i < out->count; i++)
 		if (is_on_surface(&query->view, item, ray_at(query->ray, out->hits[i].t)))
 			out->hits[kept++] = out->hits[i];
@@ -199,7 +213,8 @@ static bool visit_crossings(void *data, int item)
 	return false;
 }
 
-/* Calls visit for the children whose boxes the ray may touch. slabs.tmax may shrink meanwhile. */
+/* Calls visit for the children whose boxes the ray may touch until one says that it was the last.
+ * slabs.tmax may shrink meanwhile. */
 static void walk_children(const Csg *csg, const RaySlabs *slabs, BoxTreeVisit *visit, void *data)
 {
 	if (csg->tree) {
@@ -207,8 +222,8 @@ static void walk_children(const Csg *csg, const RaySlabs *slabs, BoxTreeVisit *v
 		return;
 	}
 	for (int i = 0; i < csg->count; i++)
-		if (ray_slabs_hit(slabs, &csg->children[i]->box))
-			visit(data, i);
+		if (ray_slabs_hit(slabs, &csg->children[i]->box) && visit(data, i))
+			return;
 }
 
 /* The ray where it is in the box, and a little more for rounding: of an operation that removes
@@ -269,6 +284,8 @@ static bool visit_surface_nearest(void *data, int item)
 	hit_list_init(&list);
 	shape_intersect(query->view.csg->children[item], &query->ray, &list);
 	hit_list_sort(&list);
+	bool done = list.count == 0 && !query->found &&
+		    leaves_nothing(&query->view, item, &query->ray);
 	for (int i = 0; i < list.count; i++) {
 		if (!is_on_surface(&query->view, item, ray_at(&query->ray, list.hits[i].t)))
 			continue;
@@ -276,7 +293,7 @@ static bool visit_surface_nearest(void *data, int item)
 		break;
 	}
 	hit_list_free(&list);
-	return false;
+	return done;
 }
 
 static bool csg_nearest(const Shape *self, const Ray *ray, Hit *out)
@@ -325,6 +342,15 @@ const Shape *csg_invert(Arena *arena, const Shape *shape)
 
 /* ---- classes ---- */
 
+static bool csg_closed(const void *data)
+{
+	const Csg *csg = data;
+	for (int i = 0; i < csg->count; i++)
+		if (!csg->children[i]->closed)
+			return false;
+	return true;
+}
+
 /* Never asked: shape_finish takes csg_surface_box, and hits belong to primitives. */
 static bool csg_bounds(const void *data, Box3 *box)
 {
@@ -348,6 +374,7 @@ const ShapeClass csg_union_class = {
 	.inside = union_inside,
 	.normal = csg_normal,
 	.nearest = csg_nearest,
+	.closed = csg_closed,
 };
 
 const ShapeClass csg_intersection_class = {
@@ -357,6 +384,7 @@ const ShapeClass csg_intersection_class = {
 	.inside = intersection_inside,
 	.normal = csg_normal,
 	.nearest = csg_nearest,
+	.closed = csg_closed,
 };
 
 const ShapeClass csg_merge_class = {
@@ -366,4 +394,5 @@ const ShapeClass csg_merge_class = {
 	.inside = union_inside,
 	.normal = csg_normal,
 	.nearest = csg_nearest,
+	.closed = csg_closed,
 };

@@ -359,6 +359,16 @@ static bool lathe_inside(const void *data, Vec3 p)
 	return crosses_odd(spans, 0, p.y - spans->middle, p.x * p.x + p.z * p.z);
 }
 
+/* The curve ends where it began, or on the axis. */
+static bool lathe_closed(const void *data)
+{
+	const Lathe *lathe = data;
+	Vec2 first = curve_point(&lathe->segments[0], 0),
+	     last = curve_point(&lathe->segments[lathe->count - 1], 1);
+	bool joined = hypot(first.u - last.u, first.v - last.v) <= lathe->tiny;
+	return joined || (fabs(first.u) <= lathe->tiny && fabs(last.u) <= lathe->tiny);
+}
+
 static Vec3 lathe_normal(const void *data, const Hit *hit, Vec3 p)
 {
 	const Lathe *lathe = data;
@@ -386,4 +396,5 @@ const ShapeClass lathe_class = {
 	.normal = lathe_normal,
 	.uv = lathe_uv,
 	.nearest = lathe_nearest,
+	.closed = lathe_closed,
 };

@@ -95,4 +95,5 @@ const ShapeClass plane_class = {
 	.placed = plane_placed,
 	.quick = true,
 	.unit_normal = true,
+	.closed = shape_class_is_closed,
 };

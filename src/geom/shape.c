@@ -172,6 +172,14 @@ void shape_finish(Shape *shape)
 	for (int i = 0; i < shape->bound_count; i++)
 		box = box3_intersect(box, shape_region_box(shape->bound[i]));
 	shape->box = box_with_margin(box);
+	shape->closed = shape->clip_count == 0 && shape->bound_count == 0 &&
+			shape->class->closed && shape->class->closed(shape->data);
+}
+
+bool shape_class_is_closed(const void *data)
+{
+	(void)data;
+	return true;
 }
 
 static Vec3 normal_to_world(const Hit *hit, Vec3 normal)

@@ -124,6 +124,9 @@ struct ShapeClass {
 	bool unit_normal;
 	/* inside() can hold outside of bounds(): a disc divides all space. */
 	bool inside_unbounded;
+	/* Optional: true when inside() changes along a ray only where intersect() finds a crossing:
+	 * no open ends. */
+	bool (*closed)(const void *data);
 	/* Optional, for shapes without bounds: a box around what of `box` (own space, sides may be
 	 * infinite) lies inside the shape, or outside of it. */
 	Box3 (*cut)(const void *data, bool outside, Box3 box);
@@ -144,11 +147,16 @@ struct Shape {
 		*bound; /* bounded_by: a ray that misses all of one of these misses the shape */
 	int bound_count;
 	Box3 box; /* world bounds (clip included); infinite sides where unbounded */
+	bool closed; /* the class says so, and no clip or bound takes crossings away */
 	bool part;                  /* of a CSG: a crossing of this shape alone says nothing */
 	const void *owner; /* what the scene attached to a primitive: its Surface. Opaque here */
 };
 
-/* Fills in box from the class, the transform, the clips and the bounds. Call once, last. */
+/* For classes that are closed whatever their data. */
+bool shape_class_is_closed(const void *data);
+
+/* Fills in box and closed from the class, the transform, the clips and the bounds. Call once, last.
+ */
 void shape_finish(Shape *shape);
 
 /* Every crossing of a world ray with the shape, CSG and clipping applied, in any order. */

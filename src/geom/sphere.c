@@ -83,4 +83,5 @@ const ShapeClass sphere_class = {
 	.placed = sphere_placed,
 	.quick = true,
 	.unit_normal = true,
+	.closed = shape_class_is_closed,
 };

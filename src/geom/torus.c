@@ -122,4 +122,5 @@ const ShapeClass torus_class = {
 	.normal = torus_normal,
 	.uv = torus_uv,
 	.nearest = torus_nearest,
+	.closed = shape_class_is_closed,
 };

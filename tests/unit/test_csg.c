@@ -2,6 +2,7 @@
 #include "geom/csg.h"
 
 #include "geom/box.h"
+#include "geom/cone.h"
 #include "geom/plane.h"
 #include "geom/poly.h"
 #include "geom/ray_box.h"
@@ -225,6 +226,69 @@ static void test_placed(Arena *arena)
 }
 
 /* Rays in the very plane of a side meet the box, on either of its sides; those beside it do not. */
+static bool asked_bounds(const void *data, Box3 *box)
+{
+	(void)data;
+	*box = (Box3){vec3_all(-2), vec3_all(2)};
+	return true;
+}
+
+/* Counts how often it is asked, and has the plane y = 0's inside. */
+static void asked_intersect(const Shape *self, const Ray *ray, HitList *out)
+{
+	(void)ray;
+	(void)out;
+	++*(int *)self->data;
+}
+
+static bool asked_inside(const void *data, Vec3 p)
+{
+	(void)data;
+	return p.y < 0;
+}
+
+static const ShapeClass asked_class = {
+	.name = "asked",
+	.bounds = asked_bounds,
+	.intersect = asked_intersect,
+	.inside = asked_inside,
+};
+
+static int times_asked(const Shape *whole, int *count, double height)
+{
+	Ray ray = {{-10, height, height}, {1, 0, 0}, 0, INFINITY};
+	Hit hit;
+	*count = 0;
+	CHECK(!shape_nearest(whole, &ray, &hit));
+	return *count;
+}
+
+/* Where a closed child leaves nothing, the others are not asked; a tube without ends says nothing
+ * though no crossing shows that the ray is in it. */
+static void test_nothing_left(Arena *arena)
+{
+	int count;
+	Shape *ball = new_sphere(arena, vec3_all(0), 2),
+	      *asked = new_shape(arena, &asked_class, &count);
+	Shape *both = new_csg(arena, &csg_intersection_class, ball, asked);
+	CHECK(times_asked(both, &count, 1.9) == 0);
+	CHECK(times_asked(both, &count, 1) == 1);
+	CHECK(times_asked(new_csg(arena, &csg_intersection_class, asked, ball), &count, 1.9) == 1);
+
+	Shape *block = new_shape(arena, &box_class,
+				 box_create(arena, vec3(-5, -0.5, -0.5), vec3(1, 0.5, 0.5)));
+	for (int open = 0; open < 2; open++) {
+		ConeDesc desc = {vec3(-3, 0, 0), vec3(3, 0, 0), 1, 1, open};
+		Shape *tube =
+			new_shape(arena, &cylinder_class, cone_create(arena, &desc, &message));
+		CHECK(tube->closed == !open);
+		check_axis(new_csg(arena, &csg_merge_class, tube, block), (double[]){-5, 3},
+			   open ? 1 : 2);
+		check_axis(new_csg(arena, &csg_merge_class, block, tube), (double[]){-5, 3},
+			   open ? 1 : 2);
+	}
+}
+
 static void test_slabs(void)
 {
 	Box3 box = {vec3(-1, -2, -3), vec3(1, 2, 3)};
@@ -255,6 +319,7 @@ int main(void)
 	test_nested(arena);
 	test_cut_bounds(arena);
 	test_placed(arena);
+	test_nothing_left(arena);
 	test_slabs();
 	arena_destroy(arena);
 	return CHECK_RESULT();

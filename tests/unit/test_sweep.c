@@ -156,6 +156,9 @@ static void test_lathe(Arena *arena)
 	CHECK(shape_nearest(&shape, &down, &hit));
 	CHECK_NEAR(hit.t, 7.5, 1e-9);
 	test_lathe_rise(&shape);
+	LatheDesc tube = {CURVE_LINEAR, cone + 1, 2};
+	Shape open = test_shape(&lathe_class, lathe_create(arena, &tube, &error));
+	CHECK(shape.closed && !open.closed);
 }
 
 static void test_sor(Arena *arena)
