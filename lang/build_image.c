@@ -136,23 +136,33 @@ static void take_gamma(Cursor *inside, ImageGamma *file)
 	}
 }
 
+/* Below 0 stands for all colours, as in POV-Ray. */
+static bool has_color(Cursor *inside, const ImageMap *map, Location where, int number)
+{
+	if (map->palette_count == 0)
+		diag_error(inside->context->diag, where,
+			   "the image has no palette: 'all' is meant, or another image");
+	else if (number >= map->palette_count)
+		diag_error(inside->context->diag, where,
+			   "the image has no colour %d, its palette goes from 0 to %d", number,
+			   map->palette_count - 1);
+	return number < map->palette_count;
+}
+
 /* filter all F, transmit N, F: into the whole map or one palette entry. */
 static void take_clear(Cursor *inside, ImageMap *map, bool filter)
 {
 	double amount = 0;
 	int index = -1;
-	if (!cursor_accept_word(inside, W_all) && !cursor_take_int(inside, &index))
+	Location where = cursor_where(inside);
+	bool all = cursor_accept_word(inside, W_all);
+	if ((!all && !cursor_take_int(inside, &index)) || !cursor_take_float(inside, &amount))
 		return;
-	if (!cursor_take_float(inside, &amount))
+	if (!all && !has_color(inside, map, where, index))
 		return;
 	const float **entries = filter ? &map->palette_filter : &map->palette_transmit;
 	if (index < 0) {
 		*(filter ? &map->filter_all : &map->transmit_all) = (float)amount;
-		return;
-	}
-	if (index >= map->palette_count) {
-		diag_warning(inside->context->diag, inside->last->where,
-			     "the image has no colour number %d", index);
 		return;
 	}
 	float *copy = arena_alloc(inside->context->builder->arena,
@@ -180,9 +190,8 @@ static void take_interpolate(Cursor *inside, ImageMap *map)
 	int type = 0;
 	if (!cursor_take_int(inside, &type))
 		return;
-	if (type >= 0 && type <= 4)
-		map->interpolation = type == 1 ? IMAGE_INTERPOLATION_BILINEAR
-					       : (ImageInterpolation)type;
+	if (type >= 2 && type <= 4)
+		map->interpolation = (ImageInterpolation)type;
 	else
 		diag_error(inside->context->diag, inside->last->where, "there is no interpolate %d",
 			   type);

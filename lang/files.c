@@ -18,6 +18,8 @@ struct SceneFile {
 	FILE *stream; /* NULL once closed */
 	FileMode mode;
 	const char *path;
+	int line;     /* that is being read, from 1 */
+	bool ended;   /* nothing is left to read, or a mistake was met */
 	SceneFile *next;
 };
 
@@ -113,7 +115,11 @@ SceneFile *files_open(Context *context, const char *path, FileMode mode, Locatio
 		return NULL;
 	}
 	SceneFile *file = ARENA_NEW(context->parse, SceneFile);
-	*file = (SceneFile){stream, mode, arena_strdup(context->parse, path), context->files};
+	*file = (SceneFile){.stream = stream,
+			    .mode = mode,
+			    .path = arena_strdup(context->parse, path),
+			    .line = 1,
+			    .next = context->files};
 	context->files = file;
 	return file;
 }
@@ -134,29 +140,73 @@ void files_close_all(Context *context)
 
 /* ---- reading ---- */
 
-/* The next character that is no blank, and no comma if commas do not count; EOF at the end. It
- * stays in the stream. */
-static int peek_past_blanks(FILE *stream, bool commas)
+static int next_character(SceneFile *file)
 {
-	int c;
-	do
-		c = getc(stream);
-	while (c != EOF && (isspace(c) || (commas && c == ',')));
-	if (c != EOF)
-		ungetc(c, stream);
+	int c = getc(file->stream);
+	file->line += c == '\n';
 	return c;
 }
 
-bool files_at_end(SceneFile *file)
+static void give_back(SceneFile *file, int c)
 {
-	return !file->stream ||
-	       (file->mode == FILE_READ && peek_past_blanks(file->stream, true) == EOF);
+	file->line -= c == '\n';
+	if (c != EOF)
+		ungetc(c, file->stream);
 }
 
-static bool report_content(Context *context, const SceneFile *file, Location where,
-			   const char *expected)
+static int peek_character(SceneFile *file)
 {
-	diag_error(context->diag, where, "'%s': expected %s", file->path, expected);
+	int c = next_character(file);
+	give_back(file, c);
+	return c;
+}
+
+/* The rest of a comment after its first slash; comments between marks nest. False where it is none.
+ */
+static bool skip_comment(SceneFile *file)
+{
+	int c = peek_character(file), last = 0, depth = 1;
+	if (c == '/') {
+		while (c != EOF && c != '\n')
+			c = next_character(file);
+		return true;
+	}
+	if (c != '*')
+		return false;
+	next_character(file);
+	while (depth > 0 && (c = next_character(file)) != EOF) {
+		int step = last == '/' && c == '*' ? 1 : last == '*' && c == '/' ? -1 : 0;
+		depth += step;
+		last = step ? 0 : c;
+	}
+	return true;
+}
+
+/* The next character that is no blank and stands in no comment; EOF at the end. It stays in the
+ * file. */
+static int peek_past_blanks(SceneFile *file)
+{
+	for (;;) {
+		int c = next_character(file);
+		if (c != EOF && isspace(c))
+			continue;
+		if (c == '/' && skip_comment(file))
+			continue;
+		give_back(file, c);
+		return c;
+	}
+}
+
+bool files_at_end(const SceneFile *file)
+{
+	return !file->stream || file->ended;
+}
+
+/* After a mistake nothing more is read, so that it is told once. */
+static bool report_content(Context *context, SceneFile *file, Location where, const char *what)
+{
+	diag_error(context->diag, where, "'%s', line %d: %s", file->path, file->line, what);
+	file->ended = true;
 	return false;
 }
 
@@ -165,52 +215,51 @@ static bool is_number_part(int c)
 	return isdigit(c) || c == '.' || c == '+' || c == '-' || c == 'e' || c == 'E';
 }
 
-static bool read_float(FILE *stream, double *out)
+static bool read_float(SceneFile *file, double *out)
 {
 	char text[TOKEN_LIMIT], *end;
 	size_t length = 0;
-	int c = peek_past_blanks(stream, false);
+	int c = peek_past_blanks(file);
 	bool exponent = false;
-	while (length + 1 < sizeof text && (c = getc(stream)) != EOF && is_number_part(c)) {
+	while (length + 1 < sizeof text && (c = next_character(file)) != EOF && is_number_part(c)) {
 		bool sign = c == '+' || c == '-';
 		if (sign && length > 0 && !exponent)
 			break;
 		exponent = c == 'e' || c == 'E';
 		text[length++] = (char)c;
 	}
-	if (c != EOF)
-		ungetc(c, stream);
+	give_back(file, c);
 	text[length] = '\0';
 	*out = strtod(text, &end);
 	return length > 0 && *end == '\0';
 }
 
-static bool read_vector(FILE *stream, Value *out)
+static bool read_vector(SceneFile *file, Value *out)
 {
 	Value value = {.kind = VALUE_VECTOR};
-	getc(stream);
-	while (value.size < 5 && read_float(stream, &value.v[value.size])) {
+	next_character(file);
+	while (value.size < 5 && read_float(file, &value.v[value.size])) {
 		value.size++;
-		int c = peek_past_blanks(stream, false);
+		int c = peek_past_blanks(file);
 		if (c == ',')
-			getc(stream);
+			next_character(file);
 		else if (c == '>')
 			break;
 	}
 	*out = value;
-	return value.size >= 2 && getc(stream) == '>';
+	return value.size >= 2 && next_character(file) == '>';
 }
 
 /* A string to its closing quote; \" \\ \n \t stand for what they stand for in scenes. */
-static bool read_string(FILE *stream, Arena *arena, Value *out)
+static bool read_string(SceneFile *file, Arena *arena, Value *out)
 {
 	char text[TOKEN_LIMIT];
 	size_t length = 0;
 	int c;
-	getc(stream);
-	while ((c = getc(stream)) != EOF && c != '"' && length + 1 < sizeof text) {
+	next_character(file);
+	while ((c = next_character(file)) != EOF && c != '"' && length + 1 < sizeof text) {
 		if (c == '\\') {
-			c = getc(stream);
+			c = next_character(file);
 			c = c == 'n' ? '\n' : c == 't' ? '\t' : c;
 		}
 		if (c != EOF)
@@ -220,6 +269,30 @@ static bool read_string(FILE *stream, Arena *arena, Value *out)
 	return c == '"';
 }
 
+/* The comma that must part values. Behind the last one nothing is looked for: the file goes on
+ * until reading beyond it is tried, as in POV-Ray. */
+static bool read_comma(Context *context, SceneFile *file, Location where)
+{
+	int c = peek_past_blanks(file);
+	file->ended = c == EOF;
+	if (c == ',')
+		next_character(file);
+	return c == ',' || c == EOF ||
+	       report_content(context, file, where, "a comma is missing between values");
+}
+
+static bool read_value(Context *context, SceneFile *file, int first, Value *out, Location where)
+{
+	if (first == '<')
+		return read_vector(file, out) ||
+		       report_content(context, file, where, "expected a vector of 2 to 5 floats");
+	if (first == '"')
+		return read_string(file, context->parse, out) ||
+		       report_content(context, file, where, "expected a closing quote");
+	return read_float(file, &out->number) ||
+	       report_content(context, file, where, "expected a float, a string or a vector");
+}
+
 bool files_read(Context *context, SceneFile *file, Value *out, Location where)
 {
 	*out = value_float(0);
@@ -227,19 +300,13 @@ bool files_read(Context *context, SceneFile *file, Value *out, Location where)
 		diag_error(context->diag, where, "'%s' is not open for reading", file->path);
 		return false;
 	}
-	int c = peek_past_blanks(file->stream, true);
-	if (c == EOF)
+	int first = peek_past_blanks(file);
+	if (first == EOF) {
+		file->ended = true;
+		diag_warning(context->diag, where, "nothing is left to read from '%s'", file->path);
 		return false;
-	if (c == '<')
-		return read_vector(file->stream, out) ||
-		       report_content(context, file, where, "a vector of 2 to 5 floats");
-	if (c == '"')
-		return read_string(file->stream, context->parse, out) ||
-		       report_content(context, file, where, "a closing quote");
-	if (read_float(file->stream, &out->number))
-		return true;
-	getc(file->stream);
-	return report_content(context, file, where, "a float, a string or a vector");
+	}
+	return read_value(context, file, first, out, where) && read_comma(context, file, where);
 }
 
 /* ---- writing ---- */

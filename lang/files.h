@@ -1,6 +1,6 @@
 /*
  * Files of a scene: #fopen, #read, #write, #fclose. A file holds floats, strings in double quotes
- * and vectors in angle brackets, separated by commas or blanks, as #write makes them. Writing is
+ * and vectors in angle brackets with commas between them, and comments as scenes have. Writing is
  * confined to the working directory and what is below it unless the context allows more. A
  * SceneFile lives in the parse arena; its stream is closed by files_close or, for all that were
  * left open, by files_close_all.
@@ -16,12 +16,12 @@ typedef enum FileMode { FILE_READ, FILE_WRITE, FILE_APPEND } FileMode;
 
 /* NULL after a reported error. Files for reading are looked for along the library paths as well. */
 SceneFile *files_open(Context *context, const char *path, FileMode mode, Location where);
-/* The next value. False at the end of the file or after a reported error; *out is a float 0 then.
- */
+/* The next value, and the comma behind it. False at the end of the file, with a warning, or after a reported error;
+ * *out is a float 0 then. */
 bool files_read(Context *context, SceneFile *file, Value *out, Location where);
-/* True when nothing is left to read (after #read POV-Ray forgets the file's name then), and for a
- * closed file. */
-bool files_at_end(SceneFile *file);
+/* True when the last value had no comma behind it, reading beyond the end was tried or a mistake was
+ * met (after #read POV-Ray forgets the file's name then), and for a closed file. */
+bool files_at_end(const SceneFile *file);
 /* One argument of #write: floats in %g form, vectors in angle brackets, strings as they are. */
 void files_write(Context *context, SceneFile *file, Value value, Location where);
 /* How #write makes an integer of so many bytes: uint8, sint16be ... */

@@ -105,8 +105,14 @@ static int poison(Reader *reader, Semantic *value)
 
 void lexer_skip_group(Reader *reader, int open, int close)
 {
+	if (source_accept_sign(reader, open))
+		lexer_skip_rest(reader, open, close);
+}
+
+void lexer_skip_rest(Reader *reader, int open, int close)
+{
 	const Token *token;
-	int depth = source_accept_sign(reader, open);
+	int depth = 1;
 	while (depth > 0 && (token = source_peek(reader, 0))) {
 		int code = token->kind == TOKEN_SIGN ? token->code : 0;
 		depth += (code == open) - (code == close);

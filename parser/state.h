@@ -164,6 +164,8 @@ int lexer_fetch(Reader *reader, Semantic *value, Location *where);
 void lexer_give_back(Reader *reader, int kind, const Semantic *value, Location where);
 /* Skips `( ... )` or `[ ... ]` that follows raw. */
 void lexer_skip_group(Reader *reader, int open, int close);
+/* The same from inside of it. */
+void lexer_skip_rest(Reader *reader, int open, int close);
 
 /* identifier.c */
 /* The variable or array element that a name and the subscripts after it stand for; NULL when

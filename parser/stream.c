@@ -75,6 +75,14 @@ static void run_fclose(Reader *reader)
 	symbols_remove(reader->symbols, name);
 }
 
+/* Variables for which nothing is left stay as they are. */
+static bool read_variable(Reader *reader, SceneFile *file)
+{
+	Value value;
+	return files_read(&reader->context, file, &value, source_here(reader)) &&
+	       declare_assign(reader, value);
+}
+
 static void run_read(Reader *reader)
 {
 	Name *name;
@@ -82,17 +90,12 @@ static void run_read(Reader *reader)
 		return;
 	SceneFile *file = read_file(reader, &name);
 	bool good = file != NULL;
-	while (good && source_accept_sign(reader, ',')) {
-		Value value;
-		Location where = source_here(reader);
-		if (files_at_end(file))
-			diag_error(reader->context.diag, where, "nothing is left to read from '%s'",
-				   name->text);
-		good = !files_at_end(file) && files_read(&reader->context, file, &value, where) &&
-		       declare_assign(reader, value);
-	}
+	while (good && source_accept_sign(reader, ','))
+		good = read_variable(reader, file);
 	if (good)
 		source_take_sign(reader, ')', "the variables");
+	else
+		lexer_skip_rest(reader, '(', ')');
 	/* `#while (defined(File))` is how scenes read to the end. */
 	if (file && files_at_end(file)) {
 		files_close(file);
