@@ -43,10 +43,10 @@ static long element_index(Context *context, const Array *array, const double *su
 	long index = 0;
 	for (int i = 0; i < array->dimensions; i++) {
 		if (!(subscripts[i] > -1 && subscripts[i] < array->size[i])) {
-			diag_error(
-				context->diag, where,
-				"array subscript %g is out of range: dimension %d goes from 0 to %d",
-				subscripts[i], i + 1, array->size[i] - 1);
+			diag_error(context->diag, where,
+				   "array subscript %g is out of range: dimension %d goes from "
+				   "0 to %d",
+				   subscripts[i], i + 1, array->size[i] - 1);
 			return -1;
 		}
 		index = index * array->size[i] + (long)subscripts[i];

@@ -41,8 +41,8 @@ ShapeBuilder build_sphere, build_box, build_cylinder, build_cone, build_torus, b
 	build_parametric, build_julia_fractal, build_union, build_intersection, build_difference,
 	build_merge, build_object_copy, build_light_source, build_light_group;
 
-/* What a create function answered: sets class and data, or reports its error at the block. The error
- * comes by pointer, as arguments are worked out in any order; NULL where create has none to tell. */
+/* What a create function answered: sets class and data, or reports its error at the block. The
+ * error comes by pointer, as arguments are worked out in any order; NULL where there is none. */
 bool build_shape_set(Cursor *cursor, Object *object, const ShapeClass *class, const void *data,
 		     const char *const *error);
 

@@ -367,9 +367,9 @@ bool build_mesh2(Cursor *cursor, Object *object)
 	if (!desc.triangles || !desc.vertices)
 		return cursor_expected(cursor, "'vertex_vectors {' and 'face_indices {'");
 	if (desc.normals && !desc.normal_indices && desc.normal_count != desc.vertex_count) {
-		diag_error(
-			cursor->context->diag, cursor->block->where,
-			"mesh2: normal_indices are needed where normals and vertices differ in number");
+		diag_error(cursor->context->diag, cursor->block->where,
+			   "mesh2: normal_indices are needed where normals and vertices differ in "
+			   "number");
 		return false;
 	}
 	return finish_mesh(cursor, object, &desc);

@@ -182,11 +182,10 @@ Value expression_member(Context *context, Value of, const char *member, Location
 {
 	int index = member_index(member);
 	if (index < 0) {
-		diag_error(
-			context->diag, where,
-			"no member '%s': expected x, y, z, t, u, v, red, green, blue, filter, transmit "
-			"or gray",
-			member);
+		diag_error(context->diag, where,
+			   "no member '%s': expected x, y, z, t, u, v, red, green, blue, filter, "
+			   "transmit or gray",
+			   member);
 		return value_float(0);
 	}
 	if (of.kind == VALUE_EXPRESSION && of.expression->kind == EXPRESSION_VECTOR)

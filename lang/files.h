@@ -16,11 +16,11 @@ typedef enum FileMode { FILE_READ, FILE_WRITE, FILE_APPEND } FileMode;
 
 /* NULL after a reported error. Files for reading are looked for along the library paths as well. */
 SceneFile *files_open(Context *context, const char *path, FileMode mode, Location where);
-/* The next value, and the comma behind it. False at the end of the file, with a warning, or after a reported error;
- * *out is a float 0 then. */
+/* The next value, and the comma behind it. False at the end of the file, with a warning, or after a
+ * reported error; *out is a float 0 then. */
 bool files_read(Context *context, SceneFile *file, Value *out, Location where);
-/* True when the last value had no comma behind it, reading beyond the end was tried or a mistake was
- * met (after #read POV-Ray forgets the file's name then), and for a closed file. */
+/* True when the last value had no comma behind it, reading beyond the end was tried or a mistake
+ * was met (after #read POV-Ray forgets the file's name then), and for a closed file. */
 bool files_at_end(const SceneFile *file);
 /* One argument of #write: floats in %g form, vectors in angle brackets, strings as they are. */
 void files_write(Context *context, SceneFile *file, Value value, Location where);

@@ -173,10 +173,10 @@ static Value define_block(Context *context, const Node *body, Location where)
 	case W_spline:
 		return define_spline(context, body);
 	default:
-		diag_error(
-			context->diag, where,
-			"expected an expression, a pigment, a pattern, a transform or a spline, found '%s'",
-			word_text(body->word));
+		diag_error(context->diag, where,
+			   "expected an expression, a pigment, a pattern, a transform or a spline, "
+			   "found '%s'",
+			   word_text(body->word));
 		return value_none();
 	}
 }

@@ -108,7 +108,8 @@ static void write_relaxation(FILE *out, const RelaxStatistics *r)
 		", \"feature_seconds\": %.6f, \"iteration_seconds\": %.6f,\n",
 		r->moved, r->iterations, r->feature_seconds, r->seconds);
 	fprintf(out,
-		"      \"seconds_per_iteration\": %.6f, \"mean_movement\": %.9g, \"mean_freedom\": %.6f},\n",
+		"      \"seconds_per_iteration\": %.6f, \"mean_movement\": %.9g, "
+		"\"mean_freedom\": %.6f},\n",
 		seconds_per_iteration(r), r->mean_movement, r->mean_constraint);
 }
 
@@ -121,14 +122,16 @@ static void write_photons(FILE *out, const PassStatistics *s)
 		", \"segments\": %" PRIu64 ",\n",
 		s->passes, p->paths, p->stored, p->absorbed, p->escaped, p->segments);
 	fprintf(out,
-		"    \"seconds\": %.6f, \"processor\": %.6f, \"first_radius\": %.9g, \"radius\": %.9g,\n",
+		"    \"seconds\": %.6f, \"processor\": %.6f, \"first_radius\": %.9g, "
+		"\"radius\": %.9g,\n",
 		p->seconds, p->cpu_seconds, s->first_radius, s->radius);
 	fprintf(out, "    \"tree_seconds\": %.6f, \"estimator_seconds\": %.6f,\n",
 		s->caustics.index, s->caustics.estimators);
 	if (s->relaxation.iterations > 0)
 		write_relaxation(out, &s->relaxation);
 	fprintf(out,
-		"    \"flux\": {\"emitted\": %.9g, \"stored\": %.9g, \"absorbed\": %.9g, \"escaped\": %.9g}},\n",
+		"    \"flux\": {\"emitted\": %.9g, \"stored\": %.9g, \"absorbed\": %.9g, "
+		"\"escaped\": %.9g}},\n",
 		p->emitted_flux, p->stored_flux, p->absorbed_flux, p->escaped_flux);
 }
 
@@ -143,8 +146,8 @@ bool statistics_write_json(const FrameStatistics *s, const char *scene, const ch
 	fprintf(file.stream, ",\n  \"status\": \"%s\",\n  \"frames\": %d,\n  \"threads\": %d,\n",
 		status, s->frames, parallel_threads());
 	fprintf(file.stream,
-		"  \"seconds\": {\"parse\": %.6f, \"build\": %.6f, \"trace\": %.6f, \"write\": %.6f, "
-		"\"processor\": %.6f},\n",
+		"  \"seconds\": {\"parse\": %.6f, \"build\": %.6f, \"trace\": %.6f, "
+		"\"write\": %.6f, \"processor\": %.6f},\n",
 		s->parse_seconds, s->build_seconds, s->trace_seconds, s->write_seconds,
 		s->cpu_seconds);
 	fprintf(file.stream, "  \"pixels\": %" PRIu64 ",\n  \"samples\": %" PRIu64 ",\n",

@@ -60,10 +60,10 @@ static bool set_estimator(Options *options, const char *value, Diag *diag)
 	options->estimator_said = true;
 	if (photon_estimator_named(value, &options->estimator))
 		return true;
-	diag_fail(
-		diag,
-		"--estimator: %s is no estimator (povray, nearest, diffusion, footprint, deep or adaptive)",
-		value);
+	diag_fail(diag,
+		  "--estimator: %s is no estimator (povray, nearest, diffusion, footprint, deep "
+		  "or adaptive)",
+		  value);
 	return false;
 }
 

@@ -331,7 +331,8 @@ static void compare(const Row *row, const Row *nearest)
 	printf(" of nearest: K = 15 %.3f, best K %.3f; dim: K = 15 %.3f, best K %.3f\n",
 	       row->rmse[FIFTEEN] / nearest->rmse[FIFTEEN],
 	       row->rmse[row->best] / nearest->rmse[nearest->best],
-	       row->dim[FIFTEEN] / nearest->dim[FIFTEEN], row->dim[best] / nearest->dim[nearest_best]);
+	       row->dim[FIFTEEN] / nearest->dim[FIFTEEN],
+	       row->dim[best] / nearest->dim[nearest_best]);
 	fflush(stdout);
 }
 

@@ -66,9 +66,10 @@ stopped +C
 [ ! -e soon.png.state ] || fail "the state is left behind"
 
 # Relaxation ends soon after a signal, and leaves neither its photons nor a picture.
-sed -e 's/#version.*/#version unofficial cognac 1.0;/' -e 's/count 4000/&0 relaxation { iterations 1000, 1000 }/' \
-	caustic.pov >restless.pov
-"$COGNAC" restless.pov +W8 +H6 +Omoved.png --photons moved.ply --photons-landed landed.ply >out 2>err &
+sed -e 's/#version.*/#version unofficial cognac 1.0;/' \
+	-e 's/count 4000/&0 relaxation { iterations 1000, 1000 }/' caustic.pov >restless.pov
+"$COGNAC" restless.pov +W8 +H6 +Omoved.png --photons moved.ply --photons-landed landed.ply \
+	>out 2>err &
 process=$!
 signal_after landed.ply
 begin=$(date +%s)
@@ -76,7 +77,8 @@ wait "$process"
 got=$?
 [ $got = 2 ] || fail "status $got after a signal to relaxation: $(head -n 1 err)"
 [ $(($(date +%s) - begin)) -lt 10 ] || fail "relaxation goes on for long after a signal"
-[ "$(ls landed* moved* 2>/dev/null)" = landed.ply ] || fail "relaxation left behind: $(ls landed* moved*)"
+left=$(ls landed* moved* 2>/dev/null)
+[ "$left" = landed.ply ] || fail "relaxation left behind: $left"
 
 # Progressive passes keep their state when they are done: more of them later go on from there.
 passes()

@@ -29,7 +29,8 @@ check()
 {
 	settle "$1" 2000000000
 	"$COGNAC" room.pov -F +W8 +H6 >out 2>err && fail "$1: not refused"
-	told=$(sed -n 's/.*leave about \([0-9]*\) million photons, which take \([0-9]*\) GB.*/\1 \2/p' err)
+	number='\([0-9]*\)'
+	told=$(sed -n "s/.*about $number million photons, which take $number GB.*/\1 \2/p" err)
 	few=$(takes 40000 "$1")
 	many=$(takes 240000 "$1")
 	# shellcheck disable=SC2086

@@ -72,7 +72,8 @@ static void check_solid(const Shape *shape, const char *name, double allowed)
 	if (hits < SHAPE_CHECK_RAYS / 4 || turns > allowed * SHAPE_CHECK_RAYS ||
 	    normals > allowed * hits || nearest > 0) {
 		check_failures++;
-		printf("%s: %d hits, %d rays out of turn, %d wrong normals, %d wrong nearest hits\n",
+		printf("%s: %d hits, %d rays out of turn, %d wrong normals, "
+		       "%d wrong nearest hits\n",
 		       name, hits, turns, normals, nearest);
 	}
 }
