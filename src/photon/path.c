@@ -94,16 +94,24 @@ static Photon *new_photon(PhotonBuffer *out)
 	return &out->photons[out->count++];
 }
 
-/* Flat faces throw sheets of light of their own; each is known by its normal on the side that the
- * light comes from. */
-static uint64_t face_of(const Meeting *at)
+/*
+ * Flat faces throw sheets of light of their own, and catch them; each is known by its normal on the
+ * side that the light comes from and by how far it is along that from the middle of what the light
+ * was aimed at. Distances are told apart to a thousandth of that; steps' ends are where no scene
+ * has faces on purpose, so that rounding does not part a face.
+ */
+static uint64_t face_of(const Path *path, const Meeting *at)
 {
 	static const double steps = 65536; /* the faces' normals are told apart with */
+	static const double distances = 1024, odd = 0.3819660113;
 	if (!hit_is_flat(at->hit, at->place, at->normal))
 		return 0;
-	return (uint64_t)llrint(steps * at->normal.x) +
-	       ((uint64_t)llrint(steps * at->normal.y) << 20) +
-	       ((uint64_t)llrint(steps * at->normal.z) << 40) + 1;
+	const EmissionAim *ball = &path->aim->ball;
+	double distance = vec3_dot(at->normal, vec3_sub(at->place, ball->center)) / ball->radius;
+	uint64_t normal = (uint64_t)llrint(steps * at->normal.x) +
+			  ((uint64_t)llrint(steps * at->normal.y) << 20) +
+			  ((uint64_t)llrint(steps * at->normal.z) << 40) + 1;
+	return random_mix(normal) ^ (uint64_t)(int64_t)floor(distances * distance + odd);
 }
 
 /* The hash of a way that ends with an event at an object's face. */
@@ -128,7 +136,7 @@ static void store(Path *path, const Meeting *at)
 	photon->light = (uint16_t)path->aim->light;
 	photon->object = (uint16_t)at->surface->id;
 	photon->edges = (uint8_t)(path->edges < 255 ? path->edges : 255);
-	photon->path = way_of(path->kind, 0, face_of(at));
+	photon->path = way_of(path->kind, 0, face_of(path, at));
 	photon_set_arrival(photon, rgb_scale(path->flux, (float)growth), &from, &at->normal);
 	path->out->statistics.stored++;
 }
@@ -296,7 +304,7 @@ static void go_on(Path *path, const Meeting *at, const Ways *ways, const BsdfEve
 	path->flux = rgb_mul(path->flux, event->weight);
 	path->ray = (Ray){at->place, to, start_of(at), INFINITY};
 	int what = event->kind == BSDF_REFLECT ? 1 : event->total ? 2 : 3;
-	path->kind = way_of(path->kind * 4u + (unsigned)what, at->surface->id, face_of(at));
+	path->kind = way_of(path->kind * 4u + (unsigned)what, at->surface->id, face_of(path, at));
 }
 
 /* What passes is tinted all the same, as a shadow is, unless the object has none: POV-Ray does so,

@@ -184,8 +184,37 @@ static void test_faces(void)
 	photon_map_destroy(map);
 }
 
+/* Faces that look the same way are told apart by where they are: of the glass' two steps and of the
+ * floor's, each pair has light of its own. */
+static void test_parallel_faces(void)
+{
+	PhotonMap *map = caustic_trace(
+		"#version 3.7;\n"
+		"global_settings { photons { count 2000 } }\n"
+		"light_source { <0, 9, 0>, 1 parallel point_at 0 photons { refraction on } }\n"
+		"merge { box { <-2, 0, -2>, <2, 1, 2> } box { <0, 0, -2>, <2, 1.2, 2> }\n"
+		"  pigment { rgbt 1 } finish { ambient 0 diffuse 0 } interior { ior 1.5 }\n"
+		"  photons { target refraction on collect off } }\n"
+		"difference { plane { y, -5 } box { <-9, -6, 0>, <9, 0, 9> }\n"
+		"  pigment { rgb 1 } finish { diffuse 1 } }\n");
+	enum { WAYS = 65536 };
+	static uint8_t quadrants[WAYS];
+	int astray = 0, seen = 0;
+	for (uint32_t i = 0; map && i < map->count; i++) {
+		const Photon *p = &map->photons[i];
+		uint8_t quadrant = (uint8_t)(1 << ((p->position[0] > 0) + 2 * (p->position[2] > 0)));
+		quadrants[p->path] |= quadrant;
+		astray += quadrants[p->path] != quadrant;
+		seen |= quadrant;
+	}
+	CHECK(seen == 15);
+	CHECK(astray == 0);
+	photon_map_destroy(map);
+}
+
 int main(void)
 {
+	test_parallel_faces();
 	test_faces();
 	test_ball_focus();
 	test_ball_ring(1.1);
