@@ -15,9 +15,9 @@
  * What differs: photons of other surfaces are refused (gather.h).
  */
 #include <math.h>
-#include <stdlib.h>
 
 #include "base/arena.h"
+#include "base/median.h"
 #include "density/gather.h"
 #include "density/kernel.h"
 #include "density/method.h"
@@ -32,19 +32,13 @@ typedef struct Expand {
 
 static const double expansion = 3, automatic_factor = 2;
 
-static int compare_floats(const void *a, const void *b)
-{
-	float x = *(const float *)a, y = *(const float *)b;
-	return (x > y) - (x < y);
-}
-
 /* From the median distance to a photon's most-th neighbour, over some of the photons. */
 static double automatic_radius(const PhotonMap *map, int most)
 {
 	enum { SAMPLES = 500 };
 	uint32_t samples = map->count < SAMPLES ? map->count : SAMPLES;
 	Neighbor found[most + 8 * TREE_SLACK];
-	float distances[SAMPLES];
+	double distances[SAMPLES];
 	for (uint32_t i = 0; i < samples; i++) {
 		const float *p = map->photons[(uint64_t)i * map->count / samples].position;
 		NearestQuery query = {{p[0], p[1], p[2]}, INFINITY, most, NULL};
@@ -52,8 +46,7 @@ static double automatic_radius(const PhotonMap *map, int most)
 		distances[i] = sqrtf(photon_tree_farthest(found, count) * (float)most /
 				     (float)count);
 	}
-	qsort(distances, samples, sizeof *distances, compare_floats);
-	return samples ? automatic_factor * distances[samples / 2] : 0;
+	return samples ? automatic_factor * median(distances, (int)samples) : 0;
 }
 
 static void *expand_create(const EstimatorSetup *setup, Diag *diag)

@@ -10,6 +10,7 @@
 #include <string.h>
 
 #include "base/cholesky.h"
+#include "base/median.h"
 #include "base/pair.h"
 
 /* Without hues the last two terms are left out. */
@@ -98,48 +99,11 @@ static bool solve(Equations *e)
 	return e->terms == HUE ? solve_some(e, HUE) : solve_some(e, TERMS);
 }
 
-/* How many are less than a value, and how many no more. */
-static inline void rank_of(const Pair *v, int pairs, double value, int64_t *less, int64_t *up_to)
-{
-	Pair both = {value, value};
-	PairCount lower = {0}, not_over = {0};
-	for (int i = 0; i < pairs; i++) {
-		lower -= v[i] < both;
-		not_over -= v[i] <= both;
-	}
-	*less = lower[0] + lower[1];
-	*up_to = not_over[0] + not_over[1];
-}
-
-/* Ranks are counted without a branch that depends on the values, of those that are still between
- * one that is too small and one that is too large. */
-double footprint_median(const double *values, int count)
-{
-	Pair v[FIT_MOST_SAMPLES / 2];
-	int pairs = (count + 1) / 2, middle = count / 2;
-	double low = -INFINITY, high = INFINITY;
-	v[pairs - 1] = (Pair){INFINITY, INFINITY};
-	memcpy(v, values, sizeof *values * (size_t)count);
-	for (int i = 0; i < count; i++) {
-		int64_t less, up_to;
-		if (!(values[i] > low && values[i] < high))
-			continue;
-		rank_of(v, pairs, values[i], &less, &up_to);
-		if (less <= middle && up_to > middle)
-			return values[i];
-		if (less > middle)
-			high = values[i];
-		else
-			low = values[i];
-	}
-	return values[count / 2]; /* not finite */
-}
-
 /* Weights from squared distances, of which twice the median counts half, and from nearness in the
  * parameters. */
 static void weigh(const double *near, const double *distance2, int count, double *weights)
 {
-	double scale = 2 * footprint_median(distance2, count);
+	double scale = 2 * median(distance2, count);
 	for (int i = 0; i < count; i++)
 		weights[i] = scale > 0 ? near[i] * scale / (scale + distance2[i]) : near[i];
 }

@@ -30,7 +30,4 @@ enum { FIT_MOST_SAMPLES = 64 };
 /* False when the samples don't say: fewer than six or in a line. */
 bool footprint_fit(const FitSample *samples, int count, FootprintFit *fit);
 
-/* Of one to FIT_MOST_SAMPLES values; the upper one of an even number's two. */
-double footprint_median(const double *values, int count);
-
 #endif

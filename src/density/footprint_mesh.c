@@ -5,8 +5,8 @@
 #include <string.h>
 
 #include "base/arena.h"
+#include "base/median.h"
 #include "density/footprint_delaunay.h"
-#include "density/footprint_fit.h"
 #include "density/footprint_strangers.h"
 #include "photon/tree.h"
 
@@ -125,7 +125,7 @@ static void set_space(Sheet *s, uint32_t vertex)
 	int count = 0;
 	for (uint32_t k = s->first[vertex]; k < s->first[vertex + 1] && count < MOST; k++)
 		areas[count++] = area_of(s, s->triangles[s->ring[k]]);
-	s->vertices[vertex].space = count > 0 ? 2 * footprint_median(areas, count) : 0;
+	s->vertices[vertex].space = count > 0 ? 2 * median(areas, count) : 0;
 }
 
 /* Triangles that reach over a gap of the sheet or along its border: their circles are large beside

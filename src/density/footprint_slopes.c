@@ -9,6 +9,7 @@
 #include <string.h>
 
 #include "base/arena.h"
+#include "base/median.h"
 #include "base/parallel.h"
 #include "density/footprint_fit.h"
 
@@ -91,7 +92,7 @@ static double stretch_of(const Sheet *s, const Vertex *v, uint32_t vertex)
 		double du = next->e[0] - v->e[0], dv = next->e[1] - v->e[1];
 		ratios[count++] = vec3_distance(next->at, v->at) / sqrt(du * du + dv * dv);
 	}
-	return count > 0 ? footprint_median(ratios, count) : 0;
+	return count > 0 ? median(ratios, count) : 0;
 }
 
 /* Slopes by hue are averaged: some vertices' do. */

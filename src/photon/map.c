@@ -4,6 +4,7 @@
 #include <stdlib.h>
 
 #include "base/arena.h"
+#include "base/median.h"
 
 PhotonMap *photon_map_create(void)
 {
@@ -29,12 +30,6 @@ bool photon_map_on_plane(const PhotonMap *map, const Photon *photon)
 	       map->lights[photon->light].parameter_dimensions == 2;
 }
 
-static int compare_floats(const void *a, const void *b)
-{
-	float x = *(const float *)a, y = *(const float *)b;
-	return (x > y) - (x < y);
-}
-
 /*
  * The spacing of photons on surfaces: with k of them in a disc of radius r there is one in pi r^2 /
  * k, and the side of that square is what is meant. The median over some photons, taken evenly, is
@@ -44,7 +39,7 @@ static double median_spacing(const PhotonMap *map)
 {
 	enum { SAMPLES = 1000, NEIGHBORS = 8 };
 	uint32_t samples = map->count < SAMPLES ? map->count : SAMPLES, found = 0;
-	float *all = memory_alloc(sizeof *all * (samples + 1));
+	double all[SAMPLES];
 	Neighbor near[NEIGHBORS + 8 * TREE_SLACK];
 	for (uint32_t i = 0; i < samples; i++) {
 		const float *p = map->photons[(uint64_t)i * map->count / samples].position;
@@ -54,10 +49,7 @@ static double median_spacing(const PhotonMap *map)
 		if (count == NEIGHBORS && r2 > 0)
 			all[found++] = sqrtf((float)M_PI * r2 / NEIGHBORS);
 	}
-	qsort(all, found, sizeof *all, compare_floats);
-	double median = found ? all[found / 2] : 0;
-	free(all);
-	return median;
+	return found ? median(all, (int)found) : 0;
 }
 
 void photon_map_index(PhotonMap *map, float emitter_weight)

@@ -6,6 +6,7 @@
 
 #include "base/arena.h"
 #include "base/cholesky.h"
+#include "base/median.h"
 #include "photon/group.h"
 #include "photon/hue.h"
 #include "photon/relax_set.h"
@@ -87,20 +88,6 @@ static double smear(const Window *window)
 	/* a square of variance v a side has an area of 12 v */
 	double area = 12 * sqrt(spread) * vec3_length(vec3_cross(by_a, by_b)) / WINDOW;
 	return vec3_length(by_hue) / sqrt(area);
-}
-
-static double median(const double *values, int count)
-{
-	for (int i = 0; i < count; i++) {
-		int less = 0, as_many = 0;
-		for (int j = 0; j < count; j++) {
-			less += values[j] < values[i];
-			as_many += values[j] <= values[i];
-		}
-		if (less <= count / 2 && as_many > count / 2)
-			return values[i];
-	}
-	return INFINITY;
 }
 
 static double median_smear(const Kind *kind)

@@ -2,6 +2,7 @@
 #include "base/arena.h"
 #include "base/cholesky.h"
 #include "base/diag.h"
+#include "base/median.h"
 #include "base/parallel.h"
 #include "base/random.h"
 #include "base/transform.h"
@@ -169,8 +170,29 @@ static void test_cholesky(void)
 	CHECK(!cholesky_factor(twice[0], 2, 2, 1e-9));
 }
 
+/* The value with as many below it as above, by sorting. */
+static void test_median(void)
+{
+	static const double few[] = {3}, even[] = {4, 1, 3, 2}, equal[] = {2, 1, 2, 2, 5};
+	static const double far[] = {INFINITY, 1, INFINITY};
+	CHECK(median(few, 1) == 3 && median(even, 4) == 3 && median(equal, 5) == 2);
+	CHECK(median(even, 3) == 3 && isinf(median(far, 3)) && median(far, 2) == INFINITY);
+	double values[MEDIAN_MOST], sorted[MEDIAN_MOST];
+	for (int count = MEDIAN_MOST - 1; count <= MEDIAN_MOST; count++) {
+		for (int i = 0; i < count; i++) {
+			values[i] = floor(700 * random_uniform(1, (uint64_t)i, (uint64_t)count));
+			int at = i;
+			for (; at > 0 && sorted[at - 1] > values[i]; at--)
+				sorted[at] = sorted[at - 1];
+			sorted[at] = values[i];
+		}
+		CHECK(median(values, count) == sorted[count / 2]);
+	}
+}
+
 int main(void)
 {
+	test_median();
 	test_arena();
 	test_transform();
 	test_random();
