@@ -4,7 +4,8 @@
  * border, and into large and small ones by their areas. One that lands elsewhere because the sheet
  * has a gap there falls into few triangles, or into large ones: those that reach over the gap. One
  * may do both, as where glass mirrors a little of the light here and all of it there: so of a kind
- * that lands in gaps, strangers that are alone are judged apart from those that are in groups.
+ * that lands in gaps, strangers that are alone are judged apart from those that are in groups, and
+ * of these such as have photons of the sheet on all sides tell nothing.
  */
 #include "density/footprint_strangers.h"
 
@@ -170,6 +171,48 @@ static double area_of(const Sheet *s, const uint32_t t[3])
 	return footprint_cross(v[t[0]].e, v[t[1]].e, v[t[2]].e) / space;
 }
 
+/* Whether there is no line through the middle with all places on one side. */
+static bool are_all_around(const double (*off)[2], int count)
+{
+	enum { SIDES = 16 };
+	for (int side = 0; side < SIDES; side++) {
+		double x = cos(2 * M_PI / SIDES * side), y = sin(2 * M_PI / SIDES * side);
+		bool any = false;
+		for (int i = 0; i < count && !any; i++)
+			any = x * off[i][0] + y * off[i][1] > 0;
+		if (!any)
+			return false;
+	}
+	return true;
+}
+
+/*
+ * Whether the sheet's photons are on all sides of a stranger, among the nearest of any kind. Beside
+ * a gap there are none on the side where that is; of places shared at random by halves, one in
+ * twenty looks so.
+ */
+static bool is_surrounded(const Sheet *sheet, uint32_t stranger)
+{
+	enum { NEAR = 17 };
+	const Strangers *s = sheet->task->strangers;
+	const Photon *p = &s->map->photons[s->photons[stranger]];
+	const struct Field *field = &s->fields[p->light];
+	NearestQuery query = {{p->emitter[0], p->emitter[1], p->emitter[2]}, INFINITY, NEAR, NULL};
+	Neighbor found[NEAR + 8 * TREE_SLACK];
+	double at[2], off[NEAR + 8 * TREE_SLACK][2];
+	int around = photon_tree_nearest(field->tree, &query, found), count = 0;
+	footprint_mesh_chart(sheet, p->emitter, at);
+	for (int k = 0; k < around; k++) {
+		uint32_t other = field->first + found[k].index;
+		if (s->kinds[other] != sheet->task->kind)
+			continue;
+		footprint_mesh_chart(sheet, s->emitters[other], off[count]);
+		off[count][0] -= at[0];
+		off[count++][1] -= at[1];
+	}
+	return are_all_around((const double (*)[2])off, count);
+}
+
 /* Strangers of one kind, or those of them that are beside one another. */
 typedef struct Group {
 	uint32_t held, all;
@@ -203,6 +246,7 @@ typedef struct Kind {
 	struct Stranger {
 		uint32_t inside; /* a triangle or NONE */
 		uint32_t next;   /* of its group, towards the first of them; of that its own */
+		uint32_t number; /* in Strangers.photons */
 	} *all;
 	uint32_t count;
 	Group whole;
@@ -215,7 +259,7 @@ static Kind make_kind(const Sheet *sheet, const Beside *list, uint32_t count)
 		size = photon_group_size(&list[first].stranger, sizeof *list, count - first);
 		uint32_t inside = triangle_with(sheet, list + first, size);
 		add_to_group(sheet, inside, &kind.whole);
-		kind.all[kind.count] = (struct Stranger){inside, kind.count};
+		kind.all[kind.count] = (struct Stranger){inside, kind.count, list[first].stranger};
 		kind.count++;
 	}
 	return kind;
@@ -246,6 +290,15 @@ static void make_groups(const Kind *kind, const Beside *list, uint32_t count, ui
 		last[list[i].vertex] = NONE;
 }
 
+/* Whether one of a group tells of a gap. Where the triangles are clearly larger than at random
+ * places there is one, though the sheet's photons be all around. */
+static bool tells_gap(const Sheet *sheet, const struct Stranger *stranger, const Group *group)
+{
+	static const double clear_area = 2.6;
+	return lands_in_gaps(group, 0) && (group->areas > clear_area * group->held ||
+					   !is_surrounded(sheet, stranger->number));
+}
+
 /* Few strangers beside one another, as where a kind shares its places with the sheet and has few
  * photons there, tell nothing: those of all such groups tell together. A larger group of a kind
  * that lands in gaps does so too, if it does not tell clearly that it does not. */
@@ -264,7 +317,7 @@ static void mark_gaps(const Sheet *sheet, const Kind *kind, bool *gaps)
 	for (uint32_t i = 0; i < kind->count; i++) {
 		const Group *group = &groups[first_of(kind, i)];
 		if (kind->all[i].inside != NONE &&
-		    (group->all < FEW ? alone_too : lands_in_gaps(group, 0)))
+		    (group->all < FEW ? alone_too : tells_gap(sheet, &kind->all[i], group)))
 			gaps[kind->all[i].inside] = true;
 	}
 	free(groups);

@@ -525,6 +525,35 @@ static void test_gap_and_split(void)
 	photon_map_destroy(map);
 }
 
+/* A kind that is all of the light on both sides of a strip and three tenths of it, at random, in
+ * the strip, as between where total reflection begins: there the sheet has no gaps. */
+static void test_split_strip(void)
+{
+	static const double from = 0.45, to = 0.55, edge = 0.02, part = 0.3;
+	PhotonMap *map = known_map_photons(&(KnownMap){even, 0, 1}, 4000, 0);
+	for (uint32_t i = 0; i < map->count; i++) {
+		Photon *p = &map->photons[i];
+		bool outside = p->emitter[0] < from || p->emitter[0] > to;
+		if (outside || random_uniform(14, i, 0) < part) {
+			p->position[0] += 10;
+			p->path = 7;
+		}
+	}
+	photon_map_index(map, 0);
+	DensityEstimator *estimator = make(map, 0);
+	double beyond = 0;
+	int dark = 0, points = 0;
+	for (double v = 0.05; v < 0.95; v += 0.01) {
+		beyond += density(estimator, from - edge, v, 0) / 90;
+		for (double u = from + edge; u < to - edge; u += 0.005, points++)
+			dark += density(estimator, u, v, 0) < 0.2;
+	}
+	CHECK(beyond < 0.02);
+	CHECK(dark < 0.01 * points);
+	estimator_destroy(estimator);
+	photon_map_destroy(map);
+}
+
 /* Photons thinned out at random by a surface that splits light, one way in some places and another
  * in others: the density stays smooth. */
 static void test_thinned(void)
@@ -603,6 +632,7 @@ int main(void)
 	test_gap();
 	test_split();
 	test_gap_and_split();
+	test_split_strip();
 	test_thinned();
 	test_few();
 	parallel_set_threads(1); /* more would wait for each other: passes' sheets are small */
