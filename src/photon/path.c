@@ -214,6 +214,7 @@ static void find_textured_ways(Path *path, const Meeting *at, double ior, Ways *
 		.geometric = at->normal,
 		.world = at->place,
 		.ior = ior,
+		.mirror_ior = ior,
 		.both_sides = at->surface->double_illuminate,
 		.irid_wavelength = path->scene->settings.irid_wavelength,
 		.grain = 0.5,

@@ -185,6 +185,14 @@ static void add_caustic(const Tracer *tracer, const LitPoint *lit, const Bsdf *b
 	}
 }
 
+/* Scenes of POV-Ray's look as there; those of the extension have Fresnel's law everywhere. */
+static double mirror_ratio(const Tracer *tracer, const PathRay *path, const Surface *surface)
+{
+	return tracer->scene->settings.cognac
+		       ? inside_ratio_of_hue(&path->inside, surface, path->hue)
+		       : inside_mirror_ratio_of_hue(&path->inside, surface, path->hue);
+}
+
 static Seen shade_stack(Tracer *tracer, const PathRay *path, const Shaded *shaded,
 			const ShadingStack *stack, FirstHit *first)
 {
@@ -195,6 +203,7 @@ static Seen shade_stack(Tracer *tracer, const PathRay *path, const Shaded *shade
 		.geometric = point->at.normal,
 		.world = point->at.world,
 		.ior = inside_ratio_of_hue(&path->inside, point->surface, path->hue),
+		.mirror_ior = mirror_ratio(tracer, path, point->surface),
 		.both_sides = point->surface->double_illuminate,
 		.legacy = tracer->legacy,
 		.irid_wavelength = tracer->scene->settings.irid_wavelength,

@@ -52,6 +52,15 @@ double inside_ratio_of_hue(const InsideStack *stack, const Surface *surface, dou
 	return inside_ratio_at(stack, inside_find(stack, surface), surface, hue);
 }
 
+double inside_mirror_ratio_of_hue(const InsideStack *stack, const Surface *surface, double hue)
+{
+	int at = inside_find(stack, surface);
+	if (at < 0 || stack->count == 1)
+		return inside_ratio_at(stack, at, surface, hue);
+	double own = surface->interior ? interior_ior(surface->interior, hue) : 1;
+	return own / inside_top_ior(stack, -1, hue);
+}
+
 double inside_ratio(const InsideStack *stack, const Surface *surface)
 {
 	return inside_ratio_of_hue(stack, surface, 0.5);

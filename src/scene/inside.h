@@ -48,6 +48,10 @@ double inside_ratio(const InsideStack *stack, const Surface *surface);
 /* The same for one colour of light: hue 0 is red, 1 is violet, 0.5 has the index that the scene
  * gives. */
 double inside_ratio_of_hue(const InsideStack *stack, const Surface *surface, double hue);
+/* What POV-Ray has in its place for Fresnel's share of a mirror: on the way out into another object
+ * the surface's own index over that of the object entered last, which mostly is itself, so that
+ * faces mirror nothing from inside there; measured. */
+double inside_mirror_ratio_of_hue(const InsideStack *stack, const Surface *surface, double hue);
 /* The index at the top of the stack, leaving out one entry (-1: none). */
 static inline double inside_top_ior(const InsideStack *stack, int except, double hue)
 {

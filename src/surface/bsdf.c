@@ -88,7 +88,7 @@ static void init_layer(Bsdf *bsdf, const ShadingLayer *from, const BsdfPlace *pl
 	layer->grain = (float)(from->finish->crand * place->grain);
 	layer->film = from->finish->irid.amount > 0 ? film_thickness(from->finish, place->world)
 						    : 0;
-	layer->mirror = layer_mirror(from, place->from, place->ior);
+	layer->mirror = layer_mirror(from, place->from, place->mirror_ior);
 	bsdf->through = rgb_mul(bsdf->through, bsdf_finish_through(from->finish, &from->color,
 								   layer->mirror));
 }

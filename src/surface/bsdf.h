@@ -48,6 +48,8 @@ typedef struct Bsdf {
 typedef struct BsdfPlace {
 	Vec3 from, geometric;
 	double ior;
+	double mirror_ior; /* the one that Fresnel's share of a mirror goes by: the same, but for
+			      POV-Ray's views of nested objects */
 	bool both_sides;
 	bool legacy; /* a scene before version 3.7: a filter leaves more of the surface's own light
 		      */

@@ -22,6 +22,7 @@ static Bsdf bsdf_of(const ShadingLayer *layers, int count, Vec3 from, double ior
 		.from = vec3_normalize(from),
 		.geometric = {0, 0, 1},
 		.ior = ior,
+		.mirror_ior = ior,
 		.irid_wavelength = {0.25f, 0.18f, 0.14f},
 	};
 	Bsdf bsdf;
@@ -169,6 +170,7 @@ static void check_film(void)
 	BsdfPlace place = {.from = {0, 0, 1},
 			   .geometric = {0, 0, 1},
 			   .ior = 1,
+			   .mirror_ior = 1,
 			   .irid_wavelength = {0.25f, 0.18f, 0.14f}};
 	float least = INFINITY, most = -INFINITY;
 	for (int i = 0; i < 100; i++) {
