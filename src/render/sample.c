@@ -22,25 +22,23 @@ static double confidence_width(double confidence)
 			   (1 + t * (1.432788 + t * (0.189269 + t * 0.001308)));
 }
 
-static bool bundle_is_sure(const Bundle *bundle, const Camera *camera)
+/* variance: what that of the mean may be. */
+static bool bundle_is_sure(const Bundle *bundle, double variance)
 {
+	double n = bundle->count, most = variance * n * (n - 1);
 	if (bundle->count < 2)
 		return false;
-	double width = confidence_width(camera->confidence), n = bundle->count;
-	for (int i = 0; i < 4; i++) {
-		double spread = fmax(bundle->square[i] - bundle->sum[i] * bundle->sum[i] / n, 0) /
-				(n - 1);
-		if (spread / n * width * width > camera->variance)
+	for (int i = 0; i < 4; i++)
+		if (bundle->square[i] - bundle->sum[i] * bundle->sum[i] / n > most)
 			return false;
-	}
 	return true;
 }
 
 static void bundle_add(Bundle *bundle, const float color[4])
 {
 	for (int i = 0; i < 4; i++) {
-		double shown = fmin(fmax(color[i], 0),
-				    1); /* over-bright light must not ask for endless rays */
+		/* Over-bright light must not ask for endless rays. */
+		double shown = real_min(real_max(color[i], 0), 1);
 		bundle->sum[i] += shown;
 		bundle->square[i] += shown * shown;
 	}
@@ -126,6 +124,8 @@ static void blurred_sample(Tracer *tracer, const SamplePlace *place, FilmPixel *
 	double sum[FILM_LIGHT_CHANNELS] = {0};
 	Bundle bundle = {.count = 0};
 	int least = camera->blur_samples_min > 4 ? camera->blur_samples_min : 4;
+	double width = confidence_width(camera->confidence),
+	       variance = camera->variance / (width * width);
 	for (int i = 0; i < camera->blur_samples; i++) {
 		Vec2 lens = {wrap(random_halton((uint64_t)i, 0) + shift_u),
 			     wrap(random_halton((uint64_t)i, 1) + shift_v)};
@@ -136,7 +136,7 @@ static void blurred_sample(Tracer *tracer, const SamplePlace *place, FilmPixel *
 		bundle_add(&bundle, one.v);
 		for (int k = 0; k < FILM_LIGHT_CHANNELS; k++)
 			sum[k] += one.v[k];
-		if (bundle.count >= least && bundle_is_sure(&bundle, camera))
+		if (bundle.count >= least && bundle_is_sure(&bundle, variance))
 			break;
 	}
 	for (int k = 0; k < FILM_LIGHT_CHANNELS; k++)

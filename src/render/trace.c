@@ -255,6 +255,9 @@ static Seen shade_hit(Tracer *tracer, const PathRay *path, const Hit *hit, First
 		note_first(first, &point, &shading, hit->t);
 	if (!tracer->quality.lights)
 		return flat_color(&shading);
+	if (shading.stack_count == 1 && shading.stacks[0].weight == 1)
+		return shade_stack(tracer, path, &(Shaded){&point, &shading}, &shading.stacks[0],
+				   first);
 	Seen sum = SEEN_NOTHING;
 	PathRay part = *path;
 	for (int i = 0; i < shading.stack_count; i++) {
@@ -283,6 +286,14 @@ static bool accept_reflection(void *data, const Ray *ray, const Hit *hit)
 	return !((const Surface *)hit->shape->owner)->no_reflection;
 }
 
+/* NULL where nothing is hidden: it costs less not to ask. */
+static AccelFilter *filter_for(const Scene *scene, const PathRay *path)
+{
+	if (path->reflected)
+		return scene->hides_from_reflection ? accept_reflection : NULL;
+	return scene->hides_from_image ? accept_image : NULL;
+}
+
 Seen trace_ray(Tracer *tracer, const PathRay *path, FirstHit *first)
 {
 	if (path->level >= tracer->scene->settings.max_trace_level ||
@@ -291,8 +302,8 @@ Seen trace_ray(Tracer *tracer, const PathRay *path, FirstHit *first)
 		return SEEN_NOTHING;
 	}
 	Hit hit;
-	AccelFilter *accept = path->reflected ? accept_reflection : accept_image;
-	bool met = accel_nearest(tracer->scene->accel, &path->ray, accept, NULL, &hit);
+	const Scene *scene = tracer->scene;
+	bool met = accel_nearest(scene->accel, &path->ray, filter_for(scene, path), NULL, &hit);
 	Seen seen = met ? shade_hit(tracer, path, &hit, first) : atmosphere_sky(tracer, path);
 	if (tracer->quality.atmosphere && inside_is_open(&path->inside))
 		seen = atmosphere_apply(tracer, &path->ray, met ? hit.t : INFINITY, seen);
@@ -315,14 +326,14 @@ Seen trace_eye(Tracer *tracer, const Ray *ray, FirstHit *first)
 
 /* ---- a thread's worker ---- */
 
-static Quality quality_of(int level)
+static Quality quality_of(int level, const Scene *scene)
 {
 	return (Quality){
 		.lights = level >= 2,
 		.shadows = level >= 4,
 		.area_lights = level >= 5,
 		.scatter = level >= 8,
-		.atmosphere = level >= 9,
+		.atmosphere = level >= 9 && scene->fog_count + scene->rainbow_count > 0,
 	};
 }
 
@@ -345,7 +356,7 @@ void tracer_init(Tracer *tracer, const Scene *scene, const RenderOptions *option
 		.scene = scene,
 		.legacy = scene->settings.version < 3.7,
 		.ambient_light = ambient_light(&scene->settings),
-		.quality = quality_of(options->quality),
+		.quality = quality_of(options->quality, scene),
 		.alpha = options->alpha,
 		.caustics = options->caustics,
 		.blockers = memory_alloc(sizeof *tracer->blockers *

@@ -19,7 +19,7 @@ typedef struct Quality {
 	bool shadows;     /* 4 */
 	bool area_lights; /* 5 */
 	bool scatter;     /* 8: reflected, refracted, transmitted rays */
-	bool atmosphere;  /* 9: fog and rainbow go with media */
+	bool atmosphere;  /* 9, and there is some: fog and rainbow go with media */
 } Quality;
 
 typedef struct Tracer {

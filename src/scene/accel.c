@@ -227,22 +227,23 @@ static void filter_triangle(const struct RTCFilterFunctionNArguments *args)
 		args->valid[0] = 0;
 }
 
-static struct RTCRay embree_ray(Query *query, double enter, double leave)
+/* In place: a ray that is made field by field and then copied waits for its own stores. */
+static void set_embree_ray(Query *query, const double range[2], struct RTCRay *out)
 {
 	const Ray *ray = &query->ray;
-	query->start = enter;
-	Vec3 origin = ray_at(ray, enter);
-	return (struct RTCRay){
-		.org_x = (float)origin.x,
-		.org_y = (float)origin.y,
-		.org_z = (float)origin.z,
-		.dir_x = (float)ray->direction.x,
-		.dir_y = (float)ray->direction.y,
-		.dir_z = (float)ray->direction.z,
-		.tnear = 0,
-		.tfar = embree_end(query, leave),
-		.mask = UINT32_MAX,
-	};
+	query->start = range[0];
+	Vec3 origin = ray_at(ray, range[0]);
+	out->org_x = (float)origin.x;
+	out->org_y = (float)origin.y;
+	out->org_z = (float)origin.z;
+	out->dir_x = (float)ray->direction.x;
+	out->dir_y = (float)ray->direction.y;
+	out->dir_z = (float)ray->direction.z;
+	out->tnear = 0;
+	out->tfar = embree_end(query, range[1]);
+	out->time = 0;
+	out->mask = UINT32_MAX;
+	out->id = out->flags = 0;
 }
 
 /* Embree leaves out what is larger, and aborts on NaN. */
@@ -258,11 +259,15 @@ static bool embree_takes(const struct RTCRay *ray)
 
 /* Embree's nearest crossing. Without a filter of its own the query asks no triangle on the way but
  * the one that Embree ends with; false when double precision then disagrees. */
-static bool query_nearest(Query *query, struct RTCRay ray, bool ask_each)
+static bool query_nearest(Query *query, const double range[2], bool ask_each)
 {
-	struct RTCRayHit rayhit = {.ray = ray};
+	struct RTCRayHit rayhit;
 	Hit hit;
+	set_embree_ray(query, range, &rayhit.ray);
+	if (!embree_takes(&rayhit.ray))
+		return true;
 	rayhit.hit.geomID = RTC_INVALID_GEOMETRY_ID;
+	rayhit.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
 	query->embree.filter = ask_each ? filter_triangle : NULL;
 	rtcIntersect1(query->accel->scene, &query->embree, &rayhit);
 	unsigned geometry = rayhit.hit.geomID;
@@ -274,6 +279,16 @@ static bool query_nearest(Query *query, struct RTCRay ray, bool ask_each)
 	return true;
 }
 
+static void query_any(Query *query, const double range[2])
+{
+	struct RTCRay ray;
+	set_embree_ray(query, range, &ray);
+	if (!embree_takes(&ray))
+		return;
+	query->embree.filter = filter_triangle;
+	rtcOccluded1(query->accel->scene, &query->embree, &ray);
+}
+
 static void query_embree(Query *query)
 {
 	double range[2];
@@ -281,15 +296,10 @@ static void query_embree(Query *query)
 	if (!box_range(query, &query->accel->box, range))
 		return;
 	rtcInitIntersectContext(&query->embree);
-	struct RTCRay ray = embree_ray(query, range[0], range[1]);
-	if (!embree_takes(&ray))
-		return;
-	if (query->any) {
-		query->embree.filter = filter_triangle;
-		rtcOccluded1(query->accel->scene, &query->embree, &ray);
-	} else if (query->filter || !query_nearest(query, ray, false)) {
-		query_nearest(query, ray, true);
-	}
+	if (query->any)
+		query_any(query, range);
+	else if (query->filter || !query_nearest(query, range, false))
+		query_nearest(query, range, true);
 }
 
 static bool query_run(Query *query)

@@ -47,6 +47,7 @@ typedef struct Flatten {
 	bool surfaces; /* false: shapes alone, without owners and lights */
 	List lights;
 	int group_count;
+	bool hides_from_image, hides_from_reflection;
 } Flatten;
 
 static void emit(Flatten *flatten, const Object *object, State *parent, List *out);
@@ -152,6 +153,8 @@ static const Surface *keep_surface(Flatten *flatten, State *state)
 		surface.ends_light = surface.opaque && holds_for_all(&surface, texture_is_dull);
 		surface.uniform = texture_is_uniform(surface.texture) &&
 				  !surface.interior_texture && !surface.texture_count;
+		flatten->hides_from_image |= surface.no_image;
+		flatten->hides_from_reflection |= surface.no_reflection;
 		state->made = arena_copy(flatten->arena, &surface, sizeof surface);
 	}
 	return state->made;
@@ -395,7 +398,10 @@ FlatScene scene_flatten(Arena *arena, const Object *const *objects, int count)
 		state.made = NULL;
 		emit(&flatten, objects[i], &state, &shapes);
 	}
-	FlatScene flat = {.shape_count = shapes.count, .light_count = flatten.lights.count};
+	FlatScene flat = {.shape_count = shapes.count,
+			  .light_count = flatten.lights.count,
+			  .hides_from_image = flatten.hides_from_image,
+			  .hides_from_reflection = flatten.hides_from_reflection};
 	Light *lights = ARENA_ARRAY(arena, Light, flat.light_count);
 	for (int i = 0; i < flat.light_count; i++)
 		lights[i] = *(const Light *)flatten.lights.items[i];

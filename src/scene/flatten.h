@@ -15,6 +15,7 @@
 typedef struct FlatScene {
 	const Shape *const *shapes; int shape_count; /* primitives and CSG; owners are Surfaces */
 	const Light *lights; int light_count;
+	bool hides_from_image, hides_from_reflection; /* some surface: no_image, no_reflection */
 } FlatScene;
 
 /* Results live in the arena. Objects are the top level, in order. */

@@ -63,6 +63,8 @@ Scene *scene_freeze(SceneBuilder *builder)
 		.background = builder->background,
 		.shapes = flat.shapes,
 		.shape_count = flat.shape_count,
+		.hides_from_image = flat.hides_from_image,
+		.hides_from_reflection = flat.hides_from_reflection,
 		.lights = flat.lights,
 		.light_count = flat.light_count,
 		.fogs = builder->fogs,

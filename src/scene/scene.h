@@ -81,6 +81,7 @@ typedef struct Scene {
 	Rgbft background;
 	const Shape *const *shapes;
 	int shape_count; /* every one a primitive or a CSG, in world space */
+	bool hides_from_image, hides_from_reflection; /* some surface: no_image, no_reflection */
 	const Light *lights; int light_count;
 	const Fog *const *fogs; int fog_count;
 	const Rainbow *const *rainbows; int rainbow_count;

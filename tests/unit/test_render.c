@@ -158,6 +158,31 @@ static void check_lamp(Diag *diag)
 	film_destroy(film);
 }
 
+/* A dim wall before a bright one, both before the eye and in a mirror of 0.5 on the left. */
+static void check_hidden(Diag *diag, Tristate no_image, Tristate no_reflection,
+			 const double expected[2])
+{
+	SceneBuilder builder = scene_start(diag);
+	Finish mirror = scene_finish(), dim = scene_finish(), bright = scene_finish();
+	mirror.reflection.min = mirror.reflection.max = rgb_all(0.5f);
+	dim.emission = rgb_all(0.2f);
+	bright.emission = rgb_all(0.8f);
+	scene_add(&builder, &box_class, scene_box(&builder, vec3(-9, -9, 0), vec3(0, 9, 1)),
+		  scene_texture(&builder, rgbft(1, 1, 1, 0, 0), mirror));
+	Object *room = scene_add(&builder, &box_class,
+				 scene_box(&builder, vec3_all(-20), vec3_all(20)),
+				 scene_texture(&builder, rgbft(1, 1, 1, 0, 0), dim));
+	room->flags.no_image = no_image;
+	room->flags.no_reflection = no_reflection;
+	scene_add(&builder, &box_class, scene_box(&builder, vec3_all(-30), vec3_all(30)),
+		  scene_texture(&builder, rgbft(1, 1, 1, 0, 0), bright));
+	RenderOptions options = render_options_default();
+	Film *film = render_scene(&builder, &options, 2, 1);
+	CHECK_NEAR(film_pixels(film, FILM_COLOR)[0], expected[0], 1e-6);
+	CHECK_NEAR(film_pixels(film, FILM_COLOR)[4], expected[1], 1e-6);
+	film_destroy(film);
+}
+
 /* Something of everything that draws random numbers. */
 static void build_busy(SceneBuilder *builder)
 {
@@ -262,6 +287,9 @@ int main(void)
 	check_fresnel_slab(diag, true, true);
 	check_ball_lens(diag);
 	check_lamp(diag);
+	check_hidden(diag, OFF, OFF, (double[]){0.1, 0.2});
+	check_hidden(diag, ON, OFF, (double[]){0.1, 0.8});
+	check_hidden(diag, OFF, ON, (double[]){0.4, 0.2});
 	check_threads(diag);
 	check_stop_and_resume(diag);
 	CHECK(diag_errors(diag) == 0);
