@@ -44,7 +44,7 @@ static bool superellipsoid_bounds(const void *data, Box3 *box)
  * by scaling. */
 static double pair_norm(double a, double b, double exponent, double slopes[2])
 {
-	double larger = fmax(a, b), smaller = fmin(a, b);
+	double larger = real_max(a, b), smaller = real_min(a, b);
 	if (larger == 0) {
 		slopes[0] = slopes[1] = 0;
 		return 0;
@@ -117,10 +117,14 @@ static bool newton_from(const Superellipsoid *shape, const Ray *ray, double *t, 
 	return true;
 }
 
-static int cross_convex(const Superellipsoid *shape, const Ray *ray, double t[2])
+/* Where the line enters and leaves; the latter only if more than one crossing is wanted or the ray
+ * starts behind the first. */
+static int cross_convex(const Superellipsoid *shape, const Ray *ray, int most, double t[2])
 {
 	if (!newton_from(shape, ray, &t[0], 1))
 		return 0;
+	if (most == 1 && t[0] > ray->tmin)
+		return 1;
 	newton_from(shape, ray, &t[1], -1);
 	return t[0] < t[1] ? 2 : 0;
 }
@@ -222,7 +226,7 @@ static void superellipsoid_cross(const Shape *self, const Ray *ray, int most, Hi
 		cross_pinched(self, ray, t, most, out);
 		return;
 	}
-	int count = cross_convex(shape, ray, t);
+	int count = cross_convex(shape, ray, most, t);
 	for (int i = 0; i < count; i++)
 		hit_list_add(out, ray, self, t[i], 0);
 }
