@@ -1,7 +1,6 @@
 #include "lang/build_atmosphere.h"
 
 #include "lang/build_map.h"
-#include "lang/build_media.h"
 #include "lang/build_texture.h"
 #include "lang/build_transform.h"
 #include "lang/cursor.h"
@@ -25,10 +24,8 @@ static Fog fog_default(void)
 	return (Fog){
 		.kind = FOG_CONSTANT,
 		.up = {0, 1, 0},
+		.turbulence = turbulence_default(),
 		.turb_depth = 0.5,
-		.octaves = 6,
-		.omega = 0.5,
-		.lambda = 2,
 	};
 }
 
@@ -41,6 +38,13 @@ static void read_fog_type(Cursor *cursor, Fog *fog)
 		fog->kind = (FogKind)type;
 	else
 		diag_error(cursor->context->diag, cursor->last->where, "fog_type must be 1 or 2");
+}
+
+static void take_octaves(Cursor *cursor, Turbulence *turbulence)
+{
+	double octaves;
+	if (cursor_take_float(cursor, &octaves))
+		turbulence->octaves = turbulence_octaves(octaves);
 }
 
 static bool accept_fog_number(Cursor *cursor, Fog *fog)
@@ -56,15 +60,15 @@ static bool accept_fog_number(Cursor *cursor, Fog *fog)
 	else if (cursor_accept_word(cursor, W_up))
 		cursor_take_vec3(cursor, &fog->up);
 	else if (cursor_accept_word(cursor, W_turbulence))
-		cursor_take_vec3(cursor, &fog->turbulence_amount);
+		cursor_take_vec3(cursor, &fog->turbulence.amount);
 	else if (cursor_accept_word(cursor, W_turb_depth))
 		cursor_take_float(cursor, &fog->turb_depth);
 	else if (cursor_accept_word(cursor, W_octaves))
-		cursor_take_int(cursor, &fog->octaves);
+		take_octaves(cursor, &fog->turbulence);
 	else if (cursor_accept_word(cursor, W_omega))
-		cursor_take_float(cursor, &fog->omega);
+		cursor_take_float(cursor, &fog->turbulence.omega);
 	else if (cursor_accept_word(cursor, W_lambda))
-		cursor_take_float(cursor, &fog->lambda);
+		cursor_take_float(cursor, &fog->turbulence.lambda);
 	else if (cursor_peek_numeric(cursor))
 		cursor_take_color(cursor, &fog->color);
 	else
@@ -87,8 +91,6 @@ const Fog *build_fog(Context *context, const Node *block)
 			cursor_unexpected(&cursor);
 	}
 	fog.up = vec3_normalize(fog.up);
-	if (vec3_length2(fog.turbulence_amount) > 0)
-		build_unsupported(context, UNSUPPORTED_FOG_TURBULENCE, block->where);
 	return arena_copy(context->builder->arena, &fog, sizeof fog);
 }
 

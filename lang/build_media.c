@@ -9,7 +9,6 @@ void build_unsupported(Context *context, Unsupported feature, Location where)
 		[UNSUPPORTED_RADIOSITY] = "radiosity",
 		[UNSUPPORTED_SUBSURFACE] = "subsurface light",
 		[UNSUPPORTED_PHOTONS] = "photons in media",
-		[UNSUPPORTED_FOG_TURBULENCE] = "a fog's turbulence",
 	};
 	if (context->unsupported & 1u << feature)
 		return;

@@ -18,8 +18,7 @@ const Media *build_media(Context *context, const Node *block);
 
 /* Warns about a feature that is read but not rendered, once a scene. */
 typedef enum Unsupported {
-	UNSUPPORTED_MEDIA, UNSUPPORTED_RADIOSITY, UNSUPPORTED_SUBSURFACE, UNSUPPORTED_PHOTONS,
-	UNSUPPORTED_FOG_TURBULENCE
+	UNSUPPORTED_MEDIA, UNSUPPORTED_RADIOSITY, UNSUPPORTED_SUBSURFACE, UNSUPPORTED_PHOTONS
 } Unsupported;
 void build_unsupported(Context *context, Unsupported feature, Location where);
 

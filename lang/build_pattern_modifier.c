@@ -10,11 +10,6 @@
 /* Takes what follows the word, which is taken. */
 typedef void ModifierTake(Cursor *cursor, Pattern *pattern);
 
-static int clamp_octaves(double octaves)
-{
-	return octaves < 1 ? 1 : octaves > 10 ? 10 : (int)octaves;
-}
-
 /* ---- turbulence ---- */
 
 static void put_classic(Cursor *cursor, Pattern *pattern, const Turbulence *turbulence)
@@ -34,7 +29,7 @@ static void take_octaves(Cursor *cursor, Pattern *pattern)
 	Turbulence t = warp_classic(pattern->warps);
 	double octaves = t.octaves;
 	cursor_take_float(cursor, &octaves);
-	t.octaves = clamp_octaves(octaves);
+	t.octaves = turbulence_octaves(octaves);
 	put_classic(cursor, pattern, &t);
 }
 

@@ -19,7 +19,7 @@ static void take_turbulence(Cursor *cursor, Warp *warp)
 		else
 			break;
 	}
-	t.octaves = (int)fmax(1, fmin(10, octaves));
+	t.octaves = turbulence_octaves(octaves);
 	warp->kind = WARP_TURBULENCE;
 	warp->u.turbulence = t;
 }

@@ -58,7 +58,7 @@ Value builtin_vturbulence(const BuiltinCall *call)
 	double octaves = call->args[2].number;
 	t.lambda = call->args[0].number;
 	t.omega = call->args[1].number;
-	t.octaves = octaves < 1 ? 1 : octaves > 10 ? 10 : (int)octaves;
+	t.octaves = turbulence_octaves(octaves);
 	return value_vec3(turbulence_vector(vector_argument(call, 3), &t,
 					    call->context->builder->settings.noise_generator));
 }

@@ -11,4 +11,7 @@ Seen atmosphere_sky(const Tracer *tracer, const PathRay *path);
  * fogs. */
 Seen atmosphere_apply(Tracer *tracer, const Ray *ray, double distance, Seen seen);
 
+/* What fogs leave of light along a ray, over the given distance. */
+Rgb atmosphere_transmittance(const Scene *scene, const Ray *ray, double distance);
+
 #endif

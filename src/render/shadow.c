@@ -1,8 +1,9 @@
 /*
  * Shadow rays. An opaque surface ends the question; surfaces that let light through are collected,
  * put in order, and tint what passes: by their textures, by POV-Ray's fake caustics, and by the
- * attenuation of what lies between them.
+ * attenuation of what lies between them, fog included for lights with media_attenuation.
  */
+#include "render/atmosphere.h"
 #include "render/caustics.h"
 #include "scene/shade.h"
 
@@ -15,6 +16,7 @@ static const double CAUSTICS_EXPONENT =
 typedef struct ShadowSearch {
 	const Caustics *caustics;
 	const Light *light;
+	const Scene *fogs; /* the scene, where its fogs weaken this light; else NULL */
 	const Shape *blocker;
 	int count;
 	Hit hits[SHADOW_MAX_HITS];
@@ -61,17 +63,28 @@ static Rgb surface_transmittance(const ShadePoint *point, const Shading *shading
 	return sum;
 }
 
+/* What fogs leave from one distance to another: none is in an object that is not hollow. */
+static Rgb pass_fogs(const ShadowSearch *search, const Ray *ray, double from, double to,
+		     const InsideStack *inside)
+{
+	if (!search->fogs || !inside_is_open(inside))
+		return rgb_all(1);
+	Ray part = {.origin = ray_at(ray, from), .direction = ray->direction};
+	return atmosphere_transmittance(search->fogs, &part, to - from);
+}
+
 /* What is left of white light after the collected surfaces. inside: where the ray starts; changed.
  */
 static Rgb pass_surfaces(const ShadowSearch *search, const Ray *ray, InsideStack *inside)
 {
-	Rgb left = rgb_all(1);
+	Rgb left = rgb_all(1), air = rgb_all(1); /* lights that shine through fog may be strong */
 	double from = 0;
 	Shading shading;
 	for (int i = 0; i < search->count && rgb_max(left) > SHADOW_BLACK; i++) {
 		ShadePoint point;
 		shade_point_init(&point, ray, &search->hits[i]);
 		shade_textures(&point, &shading);
+		air = rgb_mul(air, pass_fogs(search, ray, from, search->hits[i].t, inside));
 		left = rgb_mul(left, surface_transmittance(&point, &shading));
 		if (inside_has(inside, point.surface))
 			left = rgb_mul(left, shade_attenuation(point.surface->interior,
@@ -79,7 +92,8 @@ static Rgb pass_surfaces(const ShadowSearch *search, const Ray *ray, InsideStack
 		inside_cross(inside, point.surface);
 		from = search->hits[i].t;
 	}
-	return rgb_max(left) > SHADOW_BLACK ? left : rgb_all(0);
+	air = rgb_mul(air, pass_fogs(search, ray, from, ray->tmax, inside));
+	return rgb_max(left) > SHADOW_BLACK ? rgb_mul(left, air) : rgb_all(0);
 }
 
 /* Neighbouring points are mostly shadowed by the same shape. */
@@ -102,6 +116,13 @@ static bool project_through(const Shape *shape, Ray *ray)
 	return true;
 }
 
+static const Scene *fogs_for(const Tracer *tracer, const Light *light)
+{
+	bool weakens = light->media_attenuation && light->media_interaction &&
+		       tracer->quality.atmosphere && tracer->scene->fog_count > 0;
+	return weakens ? tracer->scene : NULL;
+}
+
 Rgb shadow_visibility(Tracer *tracer, const LitPoint *at, int light, Vec3 direction,
 		      double distance)
 {
@@ -116,13 +137,14 @@ Rgb shadow_visibility(Tracer *tracer, const LitPoint *at, int light, Vec3 direct
 	ShadowSearch search;
 	search.caustics = tracer->caustics;
 	search.light = &tracer->scene->lights[light];
+	search.fogs = fogs_for(tracer, search.light);
 	search.blocker = NULL;
 	search.count = 0;
 	if (accel_any(tracer->scene->accel, &ray, visit_shadow, &search)) {
 		tracer->blockers[light] = search.blocker;
 		return rgb_all(0);
 	}
-	if (!search.count)
+	if (!search.count && !search.fogs)
 		return rgb_all(1);
 	sort_hits(search.hits, search.count);
 	InsideStack inside;

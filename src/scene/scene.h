@@ -12,6 +12,7 @@
 #include "scene/camera.h"
 #include "scene/object.h"
 #include "scene/photon_settings.h"
+#include "surface/noise.h"
 #include "surface/texture.h"
 
 typedef enum FogKind { FOG_CONSTANT = 1, FOG_GROUND = 2 } FogKind;
@@ -21,8 +22,7 @@ typedef struct Fog {
 	Rgbft color;
 	double distance, offset, alt;
 	Vec3 up;
-	const Pattern *turbulence;  /* reserved */
-	Vec3 turbulence_amount; double turb_depth; int octaves; double omega, lambda;
+	Turbulence turbulence; double turb_depth;
 } Fog;
 
 typedef struct Rainbow {

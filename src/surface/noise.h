@@ -23,6 +23,11 @@ typedef struct Turbulence {
 
 /* No amount, 6 octaves, lambda 2, omega 0.5. */
 Turbulence turbulence_default(void);
+/* As many as are made when a scene asks for so many. */
+static inline int turbulence_octaves(double asked)
+{
+	return asked > 10 ? 10 : asked >= 1 ? (int)asked : 1;
+}
 
 /* Noise in [0, 1]. */
 double noise_value(Vec3 p, int generator);

@@ -183,6 +183,37 @@ static void check_hidden(Diag *diag, Tristate no_image, Tristate no_reflection,
 	film_destroy(film);
 }
 
+/* Black fog weakens what is seen, and the light of a lamp with media_attenuation, but not within a
+ * pane that is not hollow. */
+static void check_lamp_in_fog(Diag *diag, bool attenuation)
+{
+	const double distance = 4;
+	SceneBuilder builder = scene_start(diag);
+	Finish matt = scene_finish();
+	matt.diffuse = 0.5f;
+	scene_add(&builder, &plane_class, scene_plane(&builder, vec3(0, 0, -1), -2),
+	          scene_texture(&builder, rgbft(1, 1, 1, 0, 0), matt));
+	Object *pane = scene_add(&builder, &box_class,
+				 scene_box(&builder, vec3(0, -9, 0), vec3(9, 9, 0.5)),
+				 scene_texture(&builder, rgbft(1, 1, 1, 0, 1), scene_finish()));
+	pane->flags.no_image = ON;
+	Fog fog = {.distance = distance};
+	builder.fogs = (const Fog *[]){&fog};
+	builder.fog_count = 1;
+	Light light = light_default();
+	light.position = vec3(0, 0, -6);
+	light.parallel = true;
+	light.media_attenuation = attenuation;
+	scene_add_light(&builder, &light);
+	RenderOptions options = render_options_default();
+	Film *film = render_scene(&builder, &options, 2, 1);
+	const float *color = film_pixels(film, FILM_COLOR);
+	double seen = 0.5 * exp(-7 / cos(atan(0.25)) / distance);
+	CHECK_NEAR(color[0], seen * (attenuation ? exp(-8 / distance) : 1), 1e-6);
+	CHECK_NEAR(color[4], seen * (attenuation ? exp(-7.5 / distance) : 1), 1e-6);
+	film_destroy(film);
+}
+
 /* Something of everything that draws random numbers. */
 static void build_busy(SceneBuilder *builder)
 {
@@ -290,6 +321,8 @@ int main(void)
 	check_hidden(diag, OFF, OFF, (double[]){0.1, 0.2});
 	check_hidden(diag, ON, OFF, (double[]){0.1, 0.8});
 	check_hidden(diag, OFF, ON, (double[]){0.4, 0.2});
+	check_lamp_in_fog(diag, false);
+	check_lamp_in_fog(diag, true);
 	check_threads(diag);
 	check_stop_and_resume(diag);
 	CHECK(diag_errors(diag) == 0);
