@@ -9,6 +9,7 @@
  * the height and t from the radius.
  */
 #include "geom/lathe_spans.h"
+#include "geom/sphere.h"
 #include "geom/sweep.h"
 
 /* Rays that rise by less than this share of their length are taken as nearly level. */
@@ -383,9 +384,7 @@ static Vec3 lathe_normal(const void *data, const Hit *hit, Vec3 p)
 
 static Vec2 lathe_uv(const void *data, const Hit *hit, Vec3 p)
 {
-	double turn = atan2(p.x, p.z) / (2 * M_PI);
-	return (Vec2){turn < 0 ? turn + 1 : turn,
-		      (hit->part + hit->u) / ((const Lathe *)data)->count};
+	return (Vec2){sphere_uv_of(p).u, (hit->part + hit->u) / ((const Lathe *)data)->count};
 }
 
 const ShapeClass lathe_class = {

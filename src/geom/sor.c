@@ -3,6 +3,7 @@
  * its neighbours with their slopes. A ray gives a cubic in t.
  */
 #include "geom/polynomial.h"
+#include "geom/sphere.h"
 #include "geom/sweep.h"
 
 typedef struct Piece {
@@ -198,9 +199,7 @@ static Vec2 sor_uv(const void *data, const Hit *hit, Vec3 p)
 {
 	(void)hit;
 	const Sor *sor = data;
-	double turn = atan2(p.x, p.z) / (2 * M_PI);
-	return (Vec2){turn < 0 ? turn + 1 : turn,
-		      (p.y - low_of(sor)) / (high_of(sor) - low_of(sor))};
+	return (Vec2){sphere_uv_of(p).u, (p.y - low_of(sor)) / (high_of(sor) - low_of(sor))};
 }
 
 /* The ends. */

@@ -136,6 +136,19 @@ static void test_lathe_rise(const Shape *cone)
 }
 
 /* A linear lathe around a triangle profile is a cone: the distance is known. */
+/* u runs about the axis from x over z, as POV-Ray's. */
+static void check_turn_uv(const Shape *shape, double y)
+{
+	static const struct { double x, z, u; } ways[] = {
+		{1, 0, 0}, {0.6, 0.8, 0.14758362}, {0, 1, 0.25}, {-1, 0, 0.5}, {0, -1, 0.75}};
+	for (int i = 0; i < 5; i++) {
+		Ray ray = {{9 * ways[i].x, y, 9 * ways[i].z}, {-ways[i].x, 0, -ways[i].z}, 0, 9};
+		Hit hit;
+		CHECK(shape_nearest(shape, &ray, &hit));
+		CHECK_NEAR(hit_uv(&hit, ray_at(&ray, hit.t)).u, ways[i].u, 1e-8);
+	}
+}
+
 static void test_lathe(Arena *arena)
 {
 	const char *error;
@@ -157,6 +170,7 @@ static void test_lathe(Arena *arena)
 	CHECK(shape_nearest(&shape, &down, &hit));
 	CHECK_NEAR(hit.t, 7.5, 1e-9);
 	test_lathe_rise(&shape);
+	check_turn_uv(&shape, 1);
 	LatheDesc tube = {CURVE_LINEAR, cone + 1, 2};
 	Shape open = test_shape(&lathe_class, lathe_create(arena, &tube, &error));
 	CHECK(shape.closed && !open.closed);
@@ -172,6 +186,7 @@ static void test_sor(Arena *arena)
 	check_solid(&shape, "sor", 0.005);
 	check_flat(&shape, (Ray){{0.1, -9, 0}, {0, 1, 0}, 0, 100}, "ff");
 	check_flat(&shape, (Ray){{-9, 1, 0}, {1, 0, 0}, 0, 100}, "cc");
+	check_turn_uv(&shape, 0.5);
 	CHECK(!sor_create(arena, &wrong, &error) && error);
 	CHECK(!sor_create(arena, &few, &error) && error);
 	Hit hit;
