@@ -20,10 +20,11 @@ static void add_object(Context *context, const Object *object)
 	if (!object)
 		return;
 	Object *copy = arena_copy(context->builder->arena, object, sizeof *copy);
-	if (!copy->texture)
+	if (!copy->texture) {
 		copy->texture_transform = transform_identity();
-	if (!copy->texture)
 		copy->texture = context->defaults.texture;
+		copy->texture_is_default = true;
+	}
 	scene_builder_add_object(context->builder, copy);
 }
 

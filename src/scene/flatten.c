@@ -91,6 +91,8 @@ static Surface inherit_surface(Arena *arena, const Object *object, const State *
 	if (object->texture) {
 		Transform attach = transform_compose(&object->texture_transform, &parent->world);
 		surface.texture = object->texture;
+		surface.textured = !object->texture_is_default;
+		surface.cutaway = NULL;
 		surface.attach = keep_transform(arena, &attach);
 		surface.interior_texture = NULL;
 	}
@@ -108,10 +110,11 @@ static Surface inherit_surface(Arena *arena, const Object *object, const State *
 	return surface;
 }
 
-/* Whether it holds for each texture that the surface may show. */
+/* Whether it holds for each texture that the surface may show; those of what it cuts away are not
+ * known yet. */
 static bool holds_for_all(const Surface *surface, bool (*holds)(const Texture *texture))
 {
-	if (!holds(surface->texture))
+	if (surface->cutaway || !holds(surface->texture))
 		return false;
 	if (surface->interior_texture && !holds(surface->interior_texture))
 		return false;
@@ -151,7 +154,7 @@ static const Surface *keep_surface(Flatten *flatten, State *state)
 		apply_uv_mapping(flatten->arena, &surface);
 		surface.opaque = holds_for_all(&surface, texture_is_opaque);
 		surface.ends_light = surface.opaque && holds_for_all(&surface, texture_is_dull);
-		surface.uniform = texture_is_uniform(surface.texture) &&
+		surface.uniform = texture_is_uniform(surface.texture) && !surface.cutaway &&
 				  !surface.interior_texture && !surface.texture_count;
 		flatten->hides_from_image |= surface.no_image;
 		flatten->hides_from_reflection |= surface.no_reflection;
@@ -245,6 +248,24 @@ static bool has_shape(const Object *object)
 	return object->kind != OBJECT_LIGHT || object->child_count > 0;
 }
 
+/* For its untextured primitives, not for those of a CSG within; NULL when not asked for, or when
+ * all have a texture from further out. The parts are filled in later. */
+static Cutaway *begin_cutaway(Flatten *flatten, const Object *object, const State *state)
+{
+	bool wanted = object->flags.cutaway_textures == ON && flatten->surfaces &&
+		      !state->surface.textured &&
+		      (object->kind == OBJECT_DIFFERENCE || object->kind == OBJECT_INTERSECTION);
+	return wanted ? ARENA_NEW(flatten->arena, Cutaway) : NULL;
+}
+
+static void set_cutaway(State *state, const Cutaway *cutaway)
+{
+	if (state->surface.cutaway == cutaway)
+		return;
+	state->surface.cutaway = cutaway;
+	state->made = NULL;
+}
+
 static void emit_csg(Flatten *flatten, const Object *object, State *state, List *out)
 {
 	bool outward = object->kind == OBJECT_UNION || object->kind == OBJECT_MERGE;
@@ -252,17 +273,25 @@ static void emit_csg(Flatten *flatten, const Object *object, State *state, List 
 							     : &csg_merge_class;
 	State inner = *state;
 	List members = {0};
+	Cutaway *cutaway = begin_cutaway(flatten, object, state);
 	inner.clip_count = inner.bound_count = 0;
 	inner.part = true;
 	for (int i = 0; i < object->child_count; i++) {
+		bool primitive = object->children[i]->kind == OBJECT_PRIMITIVE;
+		set_cutaway(&inner, primitive ? cutaway : NULL);
 		inner.inverted = state->inverted != (object->kind == OBJECT_DIFFERENCE && i > 0);
 		const Shape *member = single_shape(flatten, object->children[i], &inner);
 		if (has_shape(object->children[i]))
 			list_push(&members, member);
 	}
-	const Csg *csg = csg_create(flatten->arena, list_finish(&members, flatten->arena),
-				    members.count);
-	list_push(out, finish_shape(new_shape(flatten, class, csg), state));
+	int count = members.count;
+	const Shape *const *parts = list_finish(&members, flatten->arena);
+	if (cutaway)
+		*cutaway = (Cutaway){parts, count > 1 && object->kind == OBJECT_DIFFERENCE ? 1
+											   : count};
+	list_push(out, finish_shape(new_shape(flatten, class,
+					      csg_create(flatten->arena, parts, count)),
+				    state));
 }
 
 static void emit_children(Flatten *flatten, const Object *object, State *state, List *out)

@@ -46,6 +46,7 @@ struct Object {
 	int depth; /* levels of children below; at most OBJECT_DEPTH_MAX, flattening recurses */
 	Transform transform;              /* own space to the enclosing one */
 	const Texture *texture;           /* NULL: the enclosing object's, at last the default */
+	bool texture_is_default;          /* nobody gave it one */
 	const Texture *interior_texture;
 	const Texture *const *textures;
 	int texture_count; /* numbered ones: texture_list of meshes, blob components */
@@ -62,9 +63,18 @@ struct Object {
 	const Estimator *estimator;       /* photons { estimator }; or NULL */
 };
 
+/* cutaway_textures: parts of a CSG. A face without a texture shows those of the parts that it cuts:
+ * the mean of all whose insides hold the place. */
+typedef struct Cutaway {
+	const Shape *const *parts;
+	int count;
+} Cutaway;
+
 /* What a primitive's owner points to. */
 typedef struct Surface {
 	const Texture *texture;          /* never NULL */
+	bool textured;                   /* by the scene, not by default */
+	const Cutaway *cutaway;          /* or NULL */
 	const Texture *interior_texture; /* or NULL */
 	const Texture *const *textures;
 	int texture_count; /* what the class' textures() numbers; an entry may be NULL */

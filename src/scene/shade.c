@@ -2,6 +2,8 @@
 
 #include <string.h>
 
+#include "geom/csg.h"
+
 void shade_point_init(ShadePoint *point, const Ray *ray, const Hit *hit)
 {
 	Vec3 world = ray_at(ray, hit->t);
@@ -56,12 +58,56 @@ static void shade_numbered(const ShadePoint *point, const ShapeTextures *coverin
 	}
 }
 
+/* ---- cutaway_textures ---- */
+
+enum { CUTAWAY_MOST = 16 }; /* textures at a place: those of further parts are left out */
+
+typedef struct Cut {
+	const Surface *parts[CUTAWAY_MOST];
+	int count;
+} Cut;
+
+/* The shape's primitives that hold the place, unless something around them does not; what is cut
+ * off within the shape and what shows the parts it cuts has nothing of its own. */
+static void find_cut(const Shape *shape, Vec3 place, Cut *cut)
+{
+	if (!shape_inside(shape, place))
+		return;
+	const Csg *csg = csg_is(shape) ? shape->data : NULL;
+	for (int i = 0; csg && i < csg->count; i++)
+		find_cut(csg->children[i], place, cut);
+	const Surface *own = shape->owner;
+	if (!csg && !shape->inverted && !own->cutaway && cut->count < CUTAWAY_MOST)
+		cut->parts[cut->count++] = own;
+}
+
+/* False where nothing is cut: the texture is the face's own. */
+static bool shade_cut(const ShadePoint *point, Shading *out)
+{
+	const Cutaway *cutaway = point->surface->cutaway;
+	Cut cut = {.count = 0};
+	for (int i = 0; i < cutaway->count; i++)
+		find_cut(cutaway->parts[i], point->at.world, &cut);
+	out->layer_count = out->stack_count = 0;
+	for (int i = 0; i < cut.count; i++) {
+		const Surface *part = cut.parts[i];
+		bool inner = point->back && part->interior_texture;
+		Shading one;
+		texture_shade(inner ? part->interior_texture : part->texture, part->attach,
+			      &point->at, &one);
+		append_shading(out, &one, 1.0 / cut.count);
+	}
+	return cut.count > 0;
+}
+
 void shade_textures(const ShadePoint *point, Shading *out)
 {
 	const Surface *surface = point->surface;
 	ShapeTextures covering;
 	if (point->back && surface->interior_texture)
 		texture_shade(surface->interior_texture, surface->attach, &point->at, out);
+	else if (surface->cutaway && shade_cut(point, out))
+		return;
 	else if (surface->texture_count && hit_textures(point->hit, point->at.world, &covering))
 		shade_numbered(point, &covering, out);
 	else
