@@ -30,8 +30,9 @@ check_SCRIPTS += $(CLI_TESTS)
 EXTRA_DIST += $(CLI_TESTS) tests/cli/common.sh tests/cli/read_ply.py
 
 # POV-Ray's samples: a few of them in `make check`, all of them in `make check-povray`.
-check_SCRIPTS += tests/povray/subset.sh
-EXTRA_DIST += tests/povray/samples.py tests/povray/subset.sh tests/povray/subset.txt
+check_SCRIPTS += tests/povray/subset.sh tests/povray/features.sh
+EXTRA_DIST += tests/povray/samples.py tests/povray/subset.sh tests/povray/subset.txt \
+	tests/povray/features.sh tests/povray/features
 SAMPLES_FLAGS =
 check-povray: cognac$(EXEEXT) cognac-compare$(EXEEXT)
 	python3 $(srcdir)/tests/povray/samples.py --cognac ./cognac --compare ./cognac-compare $(SAMPLES_FLAGS)

@@ -204,7 +204,7 @@ def print_row(row):
         return
     ratio = row["cognac"]["cpu"] / max(row["povray"]["cpu"], 1e-3)
     if row["renders"]:
-        verdict = "matches" if row["ssim"] >= MATCH else "differs"
+        verdict = "matches" if row["matches"] else "differs"
         print(
             f"{row['scene']:44} {verdict} {row['ssim']:7.4f}  "
             f"{row['cognac']['cpu']:7.2f} s  x{ratio:.2f}"
@@ -215,7 +215,7 @@ def print_row(row):
 
 def summary(rows):
     rows = [row for row in rows if row["renderable"]]
-    matches = [row for row in rows if row["ssim"] is not None and row["ssim"] >= MATCH]
+    matches = [row for row in rows if row["matches"]]
     ratio = {
         kind: geometric_mean([r["cognac"][kind] / max(r["povray"][kind], 1e-3) for r in matches])
         for kind in ("cpu", "wall")
@@ -276,6 +276,9 @@ def arguments():
     parser.add_argument(
         "--keep", type=pathlib.Path, metavar="DIR", help="keep both pictures of each scene"
     )
+    parser.add_argument(
+        "--match", type=float, default=MATCH, help="least SSIM of pictures that match"
+    )
     parser.add_argument("--prepare", action="store_true", help="only fill the cache")
     parser.add_argument(
         "--expect", type=int, metavar="N", help="fail when fewer than N scenes match"
@@ -298,6 +301,7 @@ def measure(options, yardstick):
     rows = []
     with concurrent.futures.ThreadPoolExecutor(options.jobs) as pool:
         for row in pool.map(yardstick.judge, chosen(options, yardstick.samples)):
+            row["matches"] = (row.get("ssim") or 0) >= options.match
             rows.append(row)
             if not options.prepare:
                 print_row(row)
