@@ -46,11 +46,13 @@ typedef struct EstimatorSetup {
 	const PhotonMap *map;          /* indexed; outlives the estimator */
 	double radius;                 /* of a progressive pass: every photon within it counts and
 	                                * kernels are as wide as it; 0: none */
+	const volatile int *stop;      /* creation ends soon after this becomes nonzero; NULL:
+					* never */
 } EstimatorSetup;
 
 /* An estimator ready for one map: checks and prepares what the method needs (networks,
  * sheets, radii from the photons). What setup points to, except the map, need not outlive
- * the call. NULL on failure, reported. */
+ * the call. NULL on failure, reported, or when stopped. */
 DensityEstimator *estimator_create(const EstimatorSetup *setup, Diag *diag);
 void estimator_destroy(DensityEstimator *estimator); /* NULL is allowed */
 /* Thread-safe. */

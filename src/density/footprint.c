@@ -113,7 +113,8 @@ static void *footprint_create(const EstimatorSetup *setup, Diag *diag)
 {
 	(void)diag;
 	FootprintParts parts = footprint_parts(setup);
-	FootprintMap *f = arrange(&parts, setup->map);
+	bool stopped = setup->stop && *setup->stop;
+	FootprintMap *f = stopped ? NULL : arrange(&parts, setup->map);
 	free(parts.patches.all);
 	free(parts.discs);
 	return f;

@@ -17,6 +17,8 @@ static const Photon *photon_of(const Sheet *s, uint32_t vertex)
 	return &s->task->map->photons[s->task->photons[vertex]];
 }
 
+bool footprint_mesh_is_stopped(const Sheet *s) { return s->task->stop && *s->task->stop; }
+
 /* ---- chart ---- */
 
 static Chart make_chart(const SheetTask *task)
@@ -241,7 +243,8 @@ void footprint_mesh_make(Sheet *s, const SheetTask *task)
 	make_vertices(s);
 	make_triangles(s);
 	count_photons(s);
-	spread_counts(s);
+	if (!footprint_mesh_is_stopped(s))
+		spread_counts(s);
 	for (uint32_t i = 0; i < s->count; i++)
 		s->vertices[i].used = s->vertices[i].area > 0 && s->vertices[i].count > 0;
 }

@@ -75,6 +75,8 @@ bool footprint_mesh_bridges(const Sheet *sheet, const uint32_t triangle[3]);
 /* Whether only one triangle has the edge from a to b: none has b followed by a. */
 bool footprint_mesh_is_border(const Sheet *sheet, uint32_t a, uint32_t b);
 
+/* Whether somebody wants it to end: then stages may be left out. */
+bool footprint_mesh_is_stopped(const Sheet *sheet);
 /* The photon's hue; 0 where light is not parted. */
 double footprint_mesh_hue(const Sheet *sheet, uint32_t vertex);
 /* The share of their way that photons are moved to the slice's hue, and patches smeared over it. */

@@ -27,7 +27,10 @@ typedef struct Making {
 	FootprintParts parts;
 	float *trust, *brightness; /* of each photon of the map */
 	Strangers *strangers;
+	const volatile int *stop;
 } Making;
+
+static bool is_stopped(const Making *m) { return m->stop && *m->stop; }
 
 static void add_sheet(Making *m, const SheetTask *task)
 {
@@ -98,6 +101,7 @@ static SheetTask make_task(const Making *m, uint32_t kind, const uint32_t *photo
 	                   .scale = m->scale,
 	                   .shrink = m->shrink,
 	                   .strangers = m->strangers,
+	                   .stop = m->stop,
 	                   .kind = kind};
 }
 
@@ -123,7 +127,7 @@ static void add_parted(Making *m, uint32_t kind, const uint32_t *photons, uint32
 	footprint_sheet_hue_slopes(&whole, all.slopes);
 	Parted parted = sort_by_slice(&all, count);
 	free_parted(&all);
-	for (uint32_t first = 0, size; first < count; first += size) {
+	for (uint32_t first = 0, size; first < count && !is_stopped(m); first += size) {
 		const uint32_t *slices = parted.slices + first;
 		size = photon_group_size(slices, sizeof *slices, count - first);
 		add_slice(m, kind, &parted, first, size);
@@ -165,6 +169,8 @@ static void set_disc(void *data, long item, int thread)
 {
 	(void)thread;
 	Making *m = data;
+	if (is_stopped(m))
+		return;
 	Disc *disc = &m->parts.discs[item];
 	const Photon *p = &m->map->photons[disc->photon];
 	GatherPoint point = {.position = vec3(p->position[0], p->position[1], p->position[2]),
@@ -206,7 +212,7 @@ static void add_sheets(Making *m)
 		 *kinds = memory_alloc(sizeof *kinds * ((size_t)count + 1));
 	photon_group_kinds(m->map, photons, kinds);
 	m->strangers = footprint_strangers_create(m->map, photons, kinds);
-	for (uint32_t first = 0; first < count; first += size) {
+	for (uint32_t first = 0; first < count && !is_stopped(m); first += size) {
 		size = photon_group_size(kinds + first, sizeof *kinds, count - first);
 		add_kind(m, kinds[first], photons + first, size);
 	}
@@ -224,11 +230,13 @@ FootprintParts footprint_parts(const EstimatorSetup *setup)
 	            .shrink = sqrt(disc_shrink), /* patches' areas go with the radius */
 	            .disc_shrink = disc_shrink,
 	            .reach = gather_reach(map, DISC_COUNT),
+	            .stop = setup->stop,
 	            .trust = memory_alloc(sizeof(float) * (map->count + 1)),
 	            .brightness = memory_alloc(sizeof(float) * (map->count + 1))};
 	parallel_for(map->count, 4096, set_brightness, &m);
 	add_sheets(&m);
-	add_discs(&m);
+	if (!is_stopped(&m))
+		add_discs(&m);
 	free(m.trust);
 	free(m.brightness);
 	return m.parts;

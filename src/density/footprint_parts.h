@@ -23,6 +23,7 @@ typedef struct FootprintParts {
 	uint32_t disc_count;
 } FootprintParts;
 
+/* Parts of them when it is stopped. */
 FootprintParts footprint_parts(const EstimatorSetup *setup);
 
 #endif

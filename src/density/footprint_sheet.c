@@ -320,7 +320,8 @@ void footprint_sheet(const SheetTask *task, PatchList *patches, float *trust)
 	if (task->hues)
 		spread_flux(&s);
 	set_light(&s);
-	draw_all(&s);
+	if (!footprint_mesh_is_stopped(&s))
+		draw_all(&s);
 	for (uint32_t i = 0; i < s.count; i++)
 		trust[i] = (float)(s.vertices[i].trust * s.vertices[i].kept);
 	footprint_mesh_free(&s);

@@ -24,6 +24,7 @@ typedef struct SheetTask {
 	const float (*hue_slopes)[3];
 	double hue, hue_width;
 	const Strangers *strangers; /* NULL: not looked at */
+	const volatile int *stop; /* nonzero: what is made is of no use; NULL: never */
 	uint32_t kind;              /* the sheet's, among theirs */
 } SheetTask;
 

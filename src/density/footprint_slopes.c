@@ -103,7 +103,8 @@ static void fit_vertex(void *data, long item, int thread)
 	(void)thread;
 	Sheet *s = data;
 	Vertex *p = &s->vertices[item];
-	if (!p->used || (asks_for_hues(s) && item % HUE_EVERY != 0))
+	if (!p->used || footprint_mesh_is_stopped(s) ||
+	    (asks_for_hues(s) && item % HUE_EVERY != 0))
 		return;
 	static const double unit = 24; /* photons in the disc of radius 1 of the fit */
 	double scale = sqrt(M_PI * p->count / (unit * p->area));

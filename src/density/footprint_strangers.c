@@ -92,7 +92,8 @@ static void look_around(void *data, long item, int thread)
 	NearestQuery query = {
 		{p->emitter[0], p->emitter[1], p->emitter[2]}, INFINITY, AROUND, NULL};
 	Neighbor found[AROUND + 8 * TREE_SLACK];
-	int around = photon_tree_nearest(field->tree, &query, found), count = 0;
+	bool stopped = footprint_mesh_is_stopped(look->sheet);
+	int around = stopped ? 0 : photon_tree_nearest(field->tree, &query, found), count = 0;
 	for (int k = 0; k < around; k++) {
 		uint32_t other = field->first + found[k].index;
 		if (s->kinds[other] != task->kind)

@@ -14,7 +14,8 @@ typedef struct GatherTask {
 
 typedef struct EstimatorMethod {
 	const char *name; /* as in the scene */
-	/* The method's own data, one block for free(); NULL on failure, reported. */
+	/* The method's own data, one block for free(); NULL on failure, reported, or when
+	 * stopped. */
 	void *(*create)(const EstimatorSetup *setup, Diag *diag);
 	/* result comes zeroed. */
 	void (*gather)(const void *method, const GatherTask *task, GatherResult *result);

@@ -95,7 +95,8 @@ Caustics *caustics_create(const Scene *scene, PhotonMap *map, const CausticOptio
 	double indexed = clock_wall();
 	Creation creation = {
 		caustics,
-		{.photons = &scene->settings.photons, .map = map, .radius = options->radius},
+		{.photons = &scene->settings.photons, .map = map, .radius = options->radius,
+		 .stop = options->stop},
 		diag,
 		false};
 	add_row(&creation, NULL,

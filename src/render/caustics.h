@@ -12,6 +12,7 @@
 typedef struct CausticOptions {
 	const Estimator *estimator; /* instead of the scene's and its objects'; NULL: theirs */
 	double radius;              /* of a progressive pass; 0: none */
+	const volatile int *stop;   /* creation ends soon after this becomes nonzero; NULL: never */
 } CausticOptions;
 
 /* What it took to create, seconds. */
@@ -24,8 +25,8 @@ typedef struct CausticTimes {
  * scene's and its objects' if it is not NULL. */
 bool caustics_check(const Scene *scene, const Estimator *switched, Diag *diag);
 
-/* Indexes the map and takes it over, even on failure. NULL on failure, reported. times are added
- * to. */
+/* Indexes the map and takes it over, even on failure. NULL on failure, reported, or when stopped.
+ * times are added to. */
 Caustics *caustics_create(const Scene *scene, PhotonMap *map, const CausticOptions *options,
 			  CausticTimes *times, Diag *diag);
 void caustics_destroy(Caustics *caustics); /* NULL is allowed */

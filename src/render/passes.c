@@ -113,12 +113,13 @@ static PhotonMap *get_photons(Passes *passes, RenderStatus *status)
 
 static RenderStatus render_with(Passes *passes, PhotonMap *map, double radius, Film *film)
 {
-	CausticOptions options = {passes->job->options->estimator, radius};
+	CausticOptions options = {passes->job->options->estimator, radius,
+				  passes->callbacks.stop};
 	Caustics *caustics = caustics_create(passes->job->scene, map, &options,
 					     &passes->statistics->caustics, passes->job->diag);
 	RenderStatistics statistics;
 	if (!caustics)
-		return RENDER_FAILED;
+		return status_of_none(passes);
 	passes->render.caustics = caustics;
 	RenderStatus status = render_image(passes->job->scene, &passes->render, film,
 					   &passes->callbacks, &statistics);

@@ -122,7 +122,7 @@ static void prepare(Bench *b, const PhotonMap *map, Diag *diag)
 	Estimator nearest = {
 		.kind = ESTIMATOR_NEAREST, .kernel = KERNEL_EPANECHNIKOV, .count = 50};
 	Estimator footprint = {.kind = ESTIMATOR_FOOTPRINT};
-	EstimatorSetup setup = {&nearest, &settings, map, 0};
+	EstimatorSetup setup = {&nearest, &settings, map, 0, NULL};
 	*b = (Bench){.map = map, .nearest = estimator_create(&setup, diag)};
 	setup.method = &footprint;
 	b->footprints = footprint_create(&setup, diag);

@@ -60,7 +60,7 @@ static void add_estimate(const PhotonMap *map, const Estimator *method, double r
 {
 	Diag *diag = diag_create(NULL);
 	PhotonSettings settings = photon_settings_default();
-	EstimatorSetup setup = {method, &settings, map, radius};
+	EstimatorSetup setup = {method, &settings, map, radius, NULL};
 	DensityEstimator *estimator = estimator_create(&setup, diag);
 	double start = clock_cpu();
 	for (int j = 0; j < SIDE; j++) {

@@ -54,7 +54,7 @@ static DensityEstimator *make(const Estimator *method, const PhotonMap *map, dou
 {
 	Diag *diag = diag_create(NULL);
 	PhotonSettings settings = photon_settings_default();
-	EstimatorSetup setup = {method, &settings, map, radius};
+	EstimatorSetup setup = {method, &settings, map, radius, NULL};
 	DensityEstimator *estimator = estimator_create(&setup, diag);
 	CHECK(estimator && diag_errors(diag) == 0);
 	diag_destroy(diag);
@@ -337,7 +337,7 @@ static void test_expansion(void)
 	PhotonSettings settings = photon_settings_default();
 	settings.radii[0].radius = 0.015;
 	Estimator plain = {.kind = ESTIMATOR_NEAREST};
-	EstimatorSetup setup = {&plain, &settings, map, 0};
+	EstimatorSetup setup = {&plain, &settings, map, 0, NULL};
 	Diag *diag = diag_create(NULL);
 	add_uniform(map, 19000, 0.5, 0, up);
 	add_photon(map, vec3(0.25, 0, 0.5), up, 1);
@@ -360,7 +360,7 @@ static void test_failures(void)
 	PhotonSettings settings = photon_settings_default();
 	Estimator many = {.kind = ESTIMATOR_NEAREST, .count = 1000000};
 	Estimator none = {.kind = ESTIMATOR_ADAPTIVE};
-	EstimatorSetup setup = {&many, &settings, map, 0};
+	EstimatorSetup setup = {&many, &settings, map, 0, NULL};
 	Diag *diag = diag_create(NULL);
 	CHECK(!estimator_create(&setup, diag) && diag_errors(diag) == 1);
 	setup.method = &none;

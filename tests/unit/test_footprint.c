@@ -4,6 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "base/clock.h"
 #include "base/parallel.h"
 #include "density/footprint_fit.h"
 #include "density/footprint_mesh.h"
@@ -35,11 +36,30 @@ static DensityEstimator *make(const PhotonMap *map, double radius)
 	Diag *diag = diag_create(NULL);
 	PhotonSettings settings = photon_settings_default();
 	Estimator method = {.kind = ESTIMATOR_FOOTPRINT};
-	EstimatorSetup setup = {&method, &settings, map, radius};
+	EstimatorSetup setup = {&method, &settings, map, radius, NULL};
 	DensityEstimator *estimator = estimator_create(&setup, diag);
 	CHECK(estimator && diag_errors(diag) == 0);
 	diag_destroy(diag);
 	return estimator;
+}
+
+/* Stopped from the start, nothing is made and hardly any time taken. */
+static void test_stop(void)
+{
+	PhotonMap *map = make_map(60000, 0, straight);
+	Diag *diag = diag_create(NULL);
+	PhotonSettings settings = photon_settings_default();
+	Estimator method = {.kind = ESTIMATOR_FOOTPRINT};
+	volatile int stop = 0;
+	EstimatorSetup setup = {&method, &settings, map, 0, &stop};
+	double begin = clock_cpu();
+	estimator_destroy(estimator_create(&setup, diag));
+	double whole = clock_cpu() - begin;
+	stop = 1;
+	CHECK(!estimator_create(&setup, diag) && diag_errors(diag) == 0);
+	CHECK(clock_cpu() - begin - whole < 0.5 * whole);
+	diag_destroy(diag);
+	photon_map_destroy(map);
 }
 
 static double density(const DensityEstimator *estimator, double x, double z, double pixel)
@@ -654,6 +674,7 @@ int main(void)
 	test_split_strip();
 	test_thinned();
 	test_few();
+	test_stop();
 	parallel_set_threads(1); /* more would wait for each other: passes' sheets are small */
 	test_passes();
 	test_gentle_passes();
