@@ -17,7 +17,7 @@ camera {
   look_at <0, 0.2, -0.6>
   right x * image_width / image_height
   angle 40
-  aperture 0.6
+  aperture 1.2
   blur_samples Lens_Samples
   focal_point <-0.4, 0.9, -1.6>
   variance 0

@@ -1,7 +1,7 @@
 /*
- * Focal blur: rays through points of the aperture until the mean is known as well as the camera
- * asks (confidence and variance), at most blur_samples of them. The points are Halton's, shifted
- * for each pixel by a random amount.
+ * Focal blur: rays through points of the aperture and of the pixel until the mean is known as well
+ * as the camera asks (confidence and variance), at most blur_samples of them. The points are
+ * Halton's, shifted for each pixel by a random amount.
  */
 #include "render/sample.h"
 
@@ -22,14 +22,14 @@ static double confidence_width(double confidence)
 			   (1 + t * (1.432788 + t * (0.189269 + t * 0.001308)));
 }
 
-/* variance: what that of the mean may be. */
+/* variance: what that of the mean may be; it must be below, so that with 0 all samples are taken. */
 static bool bundle_is_sure(const Bundle *bundle, double variance)
 {
 	double n = bundle->count, most = variance * n * (n - 1);
 	if (bundle->count < 2)
 		return false;
 	for (int i = 0; i < 4; i++)
-		if (bundle->square[i] - bundle->sum[i] * bundle->sum[i] / n > most)
+		if (bundle->square[i] - bundle->sum[i] * bundle->sum[i] / n >= most)
 			return false;
 	return true;
 }
@@ -117,20 +117,34 @@ static double wrap(double x)
 	return x - floor(x);
 }
 
+/* What POV-Ray's manual says for scenes that give none. */
+static int least_samples(const Camera *camera)
+{
+	if (camera->blur_samples_min > 0)
+		return camera->blur_samples_min;
+	return camera->blur_samples < 7 ? 4 : 7;
+}
+
 static void blurred_sample(Tracer *tracer, const SamplePlace *place, FilmPixel *out)
 {
 	const Camera *camera = &tracer->scene->camera;
-	double shift_u = sampler_next(&tracer->sampler), shift_v = sampler_next(&tracer->sampler);
+	enum { LENS_U, LENS_V, PIXEL_X, PIXEL_Y, DIMENSIONS };
+	double shift[DIMENSIONS], u[DIMENSIONS];
+	for (int k = 0; k < DIMENSIONS; k++)
+		shift[k] = sampler_next(&tracer->sampler);
 	double sum[FILM_LIGHT_CHANNELS] = {0};
 	Bundle bundle = {.count = 0};
-	int least = camera->blur_samples_min > 4 ? camera->blur_samples_min : 4;
+	int least = least_samples(camera);
 	double width = confidence_width(camera->confidence),
 	       variance = camera->variance / (width * width);
 	for (int i = 0; i < camera->blur_samples; i++) {
-		Vec2 lens = {wrap(random_halton((uint64_t)i, 0) + shift_u),
-			     wrap(random_halton((uint64_t)i, 1) + shift_v)};
 		FilmPixel one;
-		eye_sample(tracer, place, lens, &one);
+		SamplePlace moved = *place;
+		for (int k = 0; k < DIMENSIONS; k++)
+			u[k] = wrap(random_halton((uint64_t)i, k) + shift[k]);
+		moved.x += u[PIXEL_X] - 0.5;
+		moved.y += u[PIXEL_Y] - 0.5;
+		eye_sample(tracer, &moved, (Vec2){u[LENS_U], u[LENS_V]}, &one);
 		if (i == 0)
 			*out = one;
 		bundle_add(&bundle, one.v);

@@ -171,7 +171,7 @@ static Vec2 disc_point(Vec2 square)
 }
 
 /* Moves the ray's start within the aperture; it goes on through the same point of the plane in
- * focus. */
+ * focus. The lens is half as wide as `aperture` says: so it is in POV-Ray, measured. */
 static void focus_ray(const Camera *camera, Vec2 lens, Ray *ray)
 {
 	Vec2 disc = disc_point(lens);
@@ -181,7 +181,7 @@ static void focus_ray(const Camera *camera, Vec2 lens, Ray *ray)
 		distance = vec3_dot(vec3_sub(camera->focal_point, camera->location), view);
 	double along = vec3_dot(ray->direction, view);
 	Vec3 focus = vec3_mad(ray->origin, distance / (along != 0 ? along : 1), ray->direction);
-	double radius = camera->aperture / 2;
+	double radius = camera->aperture / 4;
 	ray->origin = combine(vec3_normalize(camera->right), disc.u * radius,
 			      vec3_normalize(camera->up), disc.v * radius, ray->origin, 1);
 	ray->direction = vec3_sub(focus, ray->origin);

@@ -91,7 +91,7 @@ static void check_focus(void)
 		CHECK_NEAR(vec3_distance(at, meet), 0, 1e-9);
 		farthest = fmax(farthest, vec3_length(ray.origin));
 	}
-	CHECK_NEAR(farthest, 0.35, 1e-9);
+	CHECK_NEAR(farthest, 0.175, 1e-9); /* a quarter of the aperture, as in POV-Ray */
 }
 
 int main(void)
