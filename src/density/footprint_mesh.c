@@ -221,7 +221,7 @@ static void set_counts(Sheet *s, double *offs)
 static void spread_counts(Sheet *s)
 {
 	enum { ROUNDS = 8 };
-	static const double chance = 0.03; /* twice the mean square of offs of random points */
+	static const double chance = 0.03; /* twice what counts of random points would give */
 	double *offs = memory_alloc(sizeof *offs * s->count);
 	set_counts(s, offs);
 	Pair *squares = memory_alloc(sizeof *squares * s->count);
