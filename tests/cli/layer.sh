@@ -34,7 +34,7 @@ pixel()
 	echo "#version 3.7; global_settings { assumed_gamma 1 }
 		camera { orthographic location -z right 40*x up 30*y }
 		plane { z, 0
-		pigment { image_map { png \"$1\" interpolate 0 } translate -0.5 scale <40, 30, 1> }
+		pigment { image_map { png \"$1\" } translate -0.5 scale <40, 30, 1> }
 		finish { ambient 0 diffuse 0 emission 1 } }" >show.pov
 	status 0 show.pov +W40 +H30 +FP +Oshow.ppm
 	tail -c 3600 show.ppm |
