@@ -473,6 +473,13 @@ static void test_crease(void)
 	photon_map_destroy(map);
 }
 
+/* Of another kind, and to another place. */
+static void send_away(Photon *photon)
+{
+	photon->position[0] += 10;
+	photon->path = 7;
+}
+
 /* A gap hardly wider than photons are apart, known from the photons that went elsewhere. */
 static void test_gap(void)
 {
@@ -480,10 +487,8 @@ static void test_gap(void)
 	PhotonMap *map = known_map_photons(&(KnownMap){even, 0, 1}, 4000, 0);
 	for (uint32_t i = 0; i < map->count; i++) {
 		Photon *p = &map->photons[i];
-		if (p->emitter[0] > from && p->emitter[0] < to) {
-			p->position[0] += 10;
-			p->path = 7;
-		}
+		if (p->emitter[0] > from && p->emitter[0] < to)
+			send_away(p);
 	}
 	photon_map_index(map, 0);
 	DensityEstimator *estimator = make(map, 0);
@@ -500,12 +505,9 @@ static void test_gap(void)
 static void test_split(void)
 {
 	PhotonMap *map = known_map_photons(&(KnownMap){even, 0, 1}, 4000, 0);
-	for (uint32_t i = 0; i < map->count; i++) {
-		if (random_uniform(12, i, 0) < 0.1) {
-			map->photons[i].position[0] += 10;
-			map->photons[i].path = 7;
-		}
-	}
+	for (uint32_t i = 0; i < map->count; i++)
+		if (random_uniform(12, i, 0) < 0.1)
+			send_away(&map->photons[i]);
 	photon_map_index(map, 0);
 	DensityEstimator *estimator = make(map, 0);
 	for (double u = 0.1; u < 0.9; u += 0.02)
@@ -525,10 +527,8 @@ static void test_gap_and_split(void)
 	for (uint32_t i = 0; i < map->count; i++) {
 		Photon *p = &map->photons[i];
 		bool within = p->emitter[0] > from && p->emitter[0] < to;
-		if (within || random_uniform(13, i, 0) < part) {
-			p->position[0] += 10;
-			p->path = 7;
-		}
+		if (within || random_uniform(13, i, 0) < part)
+			send_away(p);
 	}
 	photon_map_index(map, 0);
 	DensityEstimator *estimator = make(map, 0);
@@ -554,10 +554,8 @@ static void test_split_strip(void)
 	for (uint32_t i = 0; i < map->count; i++) {
 		Photon *p = &map->photons[i];
 		bool outside = p->emitter[0] < from || p->emitter[0] > to;
-		if (outside || random_uniform(14, i, 0) < part) {
-			p->position[0] += 10;
-			p->path = 7;
-		}
+		if (outside || random_uniform(14, i, 0) < part)
+			send_away(p);
 	}
 	photon_map_index(map, 0);
 	DensityEstimator *estimator = make(map, 0);

@@ -133,18 +133,24 @@ static void check_ball_lens(Diag *diag)
 	film_destroy(film);
 }
 
+/* A white floor, and before its right half a pane that only light sees. */
+static void add_floor_and_pane(SceneBuilder *builder, Rgbft color)
+{
+	Finish matt = scene_finish();
+	matt.diffuse = 0.5f;
+	scene_add(builder, &plane_class, scene_plane(builder, vec3(0, 0, -1), -2),
+		  scene_texture(builder, rgbft(1, 1, 1, 0, 0), matt));
+	Object *pane = scene_add(builder, &box_class,
+				 scene_box(builder, vec3(0, -9, 0), vec3(9, 9, 0.5)),
+				 scene_texture(builder, color, scene_finish()));
+	pane->flags.no_image = ON;
+}
+
 /* Light that falls on a white floor straight below a lamp, and through a red filter. */
 static void check_lamp(Diag *diag)
 {
 	SceneBuilder builder = scene_start(diag);
-	Finish matt = scene_finish();
-	matt.diffuse = 0.5f;
-	scene_add(&builder, &plane_class, scene_plane(&builder, vec3(0, 0, -1), -2),
-	          scene_texture(&builder, rgbft(1, 1, 1, 0, 0), matt));
-	Object *pane = scene_add(&builder, &box_class,
-				 scene_box(&builder, vec3(0, -9, 0), vec3(9, 9, 0.5)),
-				 scene_texture(&builder, rgbft(1, 0, 0, 0.5f, 0), scene_finish()));
-	pane->flags.no_image = ON;
+	add_floor_and_pane(&builder, rgbft(1, 0, 0, 0.5f, 0));
 	Light light = light_default();
 	light.position = vec3(0, 0, -1000);
 	light.parallel = true;
@@ -189,14 +195,7 @@ static void check_lamp_in_fog(Diag *diag, bool attenuation)
 {
 	const double distance = 4;
 	SceneBuilder builder = scene_start(diag);
-	Finish matt = scene_finish();
-	matt.diffuse = 0.5f;
-	scene_add(&builder, &plane_class, scene_plane(&builder, vec3(0, 0, -1), -2),
-	          scene_texture(&builder, rgbft(1, 1, 1, 0, 0), matt));
-	Object *pane = scene_add(&builder, &box_class,
-				 scene_box(&builder, vec3(0, -9, 0), vec3(9, 9, 0.5)),
-				 scene_texture(&builder, rgbft(1, 1, 1, 0, 1), scene_finish()));
-	pane->flags.no_image = ON;
+	add_floor_and_pane(&builder, rgbft(1, 1, 1, 0, 1));
 	Fog fog = {.distance = distance};
 	builder.fogs = (const Fog *[]){&fog};
 	builder.fog_count = 1;
