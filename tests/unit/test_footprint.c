@@ -473,30 +473,58 @@ static void test_crease(void)
 	photon_map_destroy(map);
 }
 
-/* Of another kind, and to another place. */
-static void send_away(Photon *photon)
+/* ---- light that goes elsewhere ---- */
+
+/* How likely a photon that leaves within a strip of u, or beyond it, goes elsewhere. */
+typedef struct Leak {
+	double from, to;
+	double within, beyond;
+	uint64_t seed;
+} Leak;
+
+/* An even sheet; what leaks is of another kind, and lands at another place. */
+static PhotonMap *make_leaking(const Leak *leak)
 {
-	photon->position[0] += 10;
-	photon->path = 7;
+	PhotonMap *map = known_map_photons(&(KnownMap){even, 0, 1}, 4000, 0);
+	for (uint32_t i = 0; i < map->count; i++) {
+		Photon *p = &map->photons[i];
+		bool within = p->emitter[0] > leak->from && p->emitter[0] < leak->to;
+		if (random_uniform(leak->seed, i, 0) < (within ? leak->within : leak->beyond)) {
+			p->position[0] += 10;
+			p->path = 7;
+		}
+	}
+	photon_map_index(map, 0);
+	return map;
+}
+
+/* The mean along a line of this u. */
+static double density_along(const DensityEstimator *estimator, double u)
+{
+	double sum = 0;
+	for (double v = 0.05; v < 0.95; v += 0.01)
+		sum += density(estimator, u, v, 0) / 90;
+	return sum;
+}
+
+/* The share of a strip's places that have less than this. */
+static double dark_share(const DensityEstimator *estimator, double from, double to, double least)
+{
+	int dark = 0, points = 0;
+	for (double v = 0.05; v < 0.95; v += 0.01)
+		for (double u = from; u < to; u += 0.005, points++)
+			dark += density(estimator, u, v, 0) < least;
+	return dark / (double)points;
 }
 
 /* A gap hardly wider than photons are apart, known from the photons that went elsewhere. */
 static void test_gap(void)
 {
-	static const double from = 0.48, to = 0.52;
-	PhotonMap *map = known_map_photons(&(KnownMap){even, 0, 1}, 4000, 0);
-	for (uint32_t i = 0; i < map->count; i++) {
-		Photon *p = &map->photons[i];
-		if (p->emitter[0] > from && p->emitter[0] < to)
-			send_away(p);
-	}
-	photon_map_index(map, 0);
+	static const Leak leak = {.from = 0.48, .to = 0.52, .within = 1};
+	PhotonMap *map = make_leaking(&leak);
 	DensityEstimator *estimator = make(map, 0);
-	double within = 0;
-	for (double v = 0.05; v < 0.95; v += 0.01)
-		within += density(estimator, 0.5 * (from + to), v, 0) / 90;
-	CHECK(within < 0.2);
-	CHECK_NEAR(total(estimator, -0.5, 2, 200), 1 - (to - from), 0.005);
+	CHECK(density_along(estimator, 0.5 * (leak.from + leak.to)) < 0.2);
+	CHECK_NEAR(total(estimator, -0.5, 2, 200), 1 - (leak.to - leak.from), 0.005);
 	estimator_destroy(estimator);
 	photon_map_destroy(map);
 }
@@ -504,11 +532,7 @@ static void test_gap(void)
 /* One in ten, at random, goes elsewhere: no gaps. */
 static void test_split(void)
 {
-	PhotonMap *map = known_map_photons(&(KnownMap){even, 0, 1}, 4000, 0);
-	for (uint32_t i = 0; i < map->count; i++)
-		if (random_uniform(12, i, 0) < 0.1)
-			send_away(&map->photons[i]);
-	photon_map_index(map, 0);
+	PhotonMap *map = make_leaking(&(Leak){.beyond = 0.1, .seed = 12});
 	DensityEstimator *estimator = make(map, 0);
 	for (double u = 0.1; u < 0.9; u += 0.02)
 		for (double v = 0.1; v < 0.9; v += 0.02)
@@ -522,25 +546,12 @@ static void test_split(void)
  * that they are taken for gaps. */
 static void test_gap_and_split(void)
 {
-	static const double from = 0.48, to = 0.56, part = 0.025;
-	PhotonMap *map = known_map_photons(&(KnownMap){even, 0, 1}, 4000, 0);
-	for (uint32_t i = 0; i < map->count; i++) {
-		Photon *p = &map->photons[i];
-		bool within = p->emitter[0] > from && p->emitter[0] < to;
-		if (within || random_uniform(13, i, 0) < part)
-			send_away(p);
-	}
-	photon_map_index(map, 0);
+	static const Leak leak = {
+		.from = 0.48, .to = 0.56, .within = 1, .beyond = 0.025, .seed = 13};
+	PhotonMap *map = make_leaking(&leak);
 	DensityEstimator *estimator = make(map, 0);
-	double inside = 0;
-	int dark = 0, points = 0;
-	for (double v = 0.05; v < 0.95; v += 0.01) {
-		inside += density(estimator, 0.5 * (from + to), v, 0) / 90;
-		for (double u = 0.05; u < 0.43; u += 0.01, points++)
-			dark += density(estimator, u, v, 0) < 0.5;
-	}
-	CHECK(inside < 0.02);
-	CHECK(dark < 0.004 * points);
+	CHECK(density_along(estimator, 0.5 * (leak.from + leak.to)) < 0.02);
+	CHECK(dark_share(estimator, 0.05, 0.43, 0.5) < 0.004);
 	estimator_destroy(estimator);
 	photon_map_destroy(map);
 }
@@ -549,25 +560,13 @@ static void test_gap_and_split(void)
  * the strip, as between where total reflection begins: there the sheet has no gaps. */
 static void test_split_strip(void)
 {
-	static const double from = 0.45, to = 0.55, edge = 0.02, part = 0.3;
-	PhotonMap *map = known_map_photons(&(KnownMap){even, 0, 1}, 4000, 0);
-	for (uint32_t i = 0; i < map->count; i++) {
-		Photon *p = &map->photons[i];
-		bool outside = p->emitter[0] < from || p->emitter[0] > to;
-		if (outside || random_uniform(14, i, 0) < part)
-			send_away(p);
-	}
-	photon_map_index(map, 0);
+	static const Leak leak = {
+		.from = 0.45, .to = 0.55, .within = 0.3, .beyond = 1, .seed = 14};
+	static const double edge = 0.02;
+	PhotonMap *map = make_leaking(&leak);
 	DensityEstimator *estimator = make(map, 0);
-	double beyond = 0;
-	int dark = 0, points = 0;
-	for (double v = 0.05; v < 0.95; v += 0.01) {
-		beyond += density(estimator, from - edge, v, 0) / 90;
-		for (double u = from + edge; u < to - edge; u += 0.005, points++)
-			dark += density(estimator, u, v, 0) < 0.2;
-	}
-	CHECK(beyond < 0.02);
-	CHECK(dark < 0.01 * points);
+	CHECK(density_along(estimator, leak.from - edge) < 0.02);
+	CHECK(dark_share(estimator, leak.from + edge, leak.to - edge, 0.2) < 0.01);
 	estimator_destroy(estimator);
 	photon_map_destroy(map);
 }
