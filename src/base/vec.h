@@ -56,6 +56,12 @@ static inline Vec3 vec3_max(Vec3 a, Vec3 b)
 {
 	return (Vec3){fmax(a.x, b.x), fmax(a.y, b.y), fmax(a.z, b.z)};
 }
+/* The angle about the y axis, from x towards z, as a share of a turn: 0..1. */
+static inline double vec3_turn(Vec3 a)
+{
+	double turn = atan2(a.z, a.x) / (2 * M_PI);
+	return turn < 0 ? turn + 1 : turn;
+}
 static inline double vec3_axis(Vec3 a, int axis) { return axis == 0 ? a.x : axis == 1 ? a.y : a.z; }
 /* Mirror of the direction d at a plane with unit normal n. */
 static inline Vec3 vec3_reflect(Vec3 d, Vec3 n) { return vec3_mad(d, -2 * vec3_dot(d, n), n); }

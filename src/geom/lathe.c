@@ -9,7 +9,6 @@
  * the height and t from the radius.
  */
 #include "geom/lathe_spans.h"
-#include "geom/sphere.h"
 #include "geom/sweep.h"
 
 /* Rays that rise by less than this share of their length are taken as nearly level. */
@@ -384,7 +383,7 @@ static Vec3 lathe_normal(const void *data, const Hit *hit, Vec3 p)
 
 static Vec2 lathe_uv(const void *data, const Hit *hit, Vec3 p)
 {
-	return (Vec2){sphere_uv_of(p).u, (hit->part + hit->u) / ((const Lathe *)data)->count};
+	return (Vec2){vec3_turn(p), (hit->part + hit->u) / ((const Lathe *)data)->count};
 }
 
 const ShapeClass lathe_class = {

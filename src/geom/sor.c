@@ -3,7 +3,6 @@
  * its neighbours with their slopes. A ray gives a cubic in t.
  */
 #include "geom/polynomial.h"
-#include "geom/sphere.h"
 #include "geom/sweep.h"
 
 typedef struct Piece {
@@ -199,7 +198,7 @@ static Vec2 sor_uv(const void *data, const Hit *hit, Vec3 p)
 {
 	(void)hit;
 	const Sor *sor = data;
-	return (Vec2){sphere_uv_of(p).u, (p.y - low_of(sor)) / (high_of(sor) - low_of(sor))};
+	return (Vec2){vec3_turn(p), (p.y - low_of(sor)) / (high_of(sor) - low_of(sor))};
 }
 
 /* The ends. */

@@ -60,10 +60,7 @@ static Vec3 sphere_normal(const void *data, const Hit *hit, Vec3 p)
 Vec2 sphere_uv_of(Vec3 direction)
 {
 	Vec3 at = vec3_normalize(direction);
-	double angle = atan2(at.z, at.x);
-	if (angle < 0)
-		angle += 2 * M_PI;
-	return (Vec2){angle / (2 * M_PI), 0.5 + asin(fmax(-1, fmin(1, at.y))) / M_PI};
+	return (Vec2){vec3_turn(at), 0.5 + asin(fmax(-1, fmin(1, at.y))) / M_PI};
 }
 
 static Vec2 sphere_uv(const void *data, const Hit *hit, Vec3 p)

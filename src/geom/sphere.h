@@ -38,8 +38,8 @@ static inline Vec3 sphere_normal_at(const Sphere *sphere, Vec3 p)
 		vec3_scale(vec3_sub(p, sphere->center), sphere->inverse_radius));
 }
 
-/* POV-Ray's spherical coordinates of a direction: u goes round from the x axis towards z, v from
- * the south pole to the north. */
+/* POV-Ray's spherical coordinates of a direction of any length: u its turn, v from the south pole
+ * (0) to the north (1). */
 Vec2 sphere_uv_of(Vec3 direction);
 
 #endif

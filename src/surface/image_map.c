@@ -13,23 +13,17 @@ typedef struct Place {
 	double x, y;
 } Place;
 
-static double turn_about_y(Vec3 p)
-{
-	double turn = atan2(p.z, p.x) / (2 * M_PI);
-	return turn < 0 ? turn + 1 : turn;
-}
-
 /* (u, v) with v upwards. */
 static Vec2 map_uv(const ImageMap *map, Vec3 p)
 {
 	double radius = sqrt(p.x * p.x + p.z * p.z);
 	switch (map->mapping) {
 	case IMAGE_MAPPING_SPHERICAL:
-		return (Vec2){turn_about_y(p), atan2(p.y, radius) / M_PI + 0.5};
+		return (Vec2){vec3_turn(p), atan2(p.y, radius) / M_PI + 0.5};
 	case IMAGE_MAPPING_CYLINDRICAL:
-		return (Vec2){turn_about_y(p), p.y};
+		return (Vec2){vec3_turn(p), p.y};
 	case IMAGE_MAPPING_TOROIDAL:
-		return (Vec2){turn_about_y(p), atan2(p.y, radius - 1) / (2 * M_PI) + 0.5};
+		return (Vec2){vec3_turn(p), atan2(p.y, radius - 1) / (2 * M_PI) + 0.5};
 	default:
 		return (Vec2){p.x, p.y};
 	}

@@ -145,13 +145,6 @@ static Vec3 orient(const WarpMapping *m, double u, double v, double d)
 		    o.y * v + o.z * d - o.x * u);
 }
 
-/* The angle about the y axis from x towards z, as a fraction of a turn in [0, 1). */
-static double turn_about_y(Vec3 p)
-{
-	double turn = atan2(p.z, p.x) / (2 * M_PI);
-	return turn < 0 ? turn + 1 : turn;
-}
-
 static double distance_factor(const WarpMapping *m, double distance)
 {
 	return m->distance == 0 ? 1 : m->distance == 1 ? distance : pow(distance, m->distance);
@@ -162,7 +155,7 @@ static Vec3 apply_cylindrical(const WarpMapping *m, Vec3 p)
 	double radius = sqrt(p.x * p.x + p.z * p.z);
 	if (radius == 0)
 		return p;
-	return orient(m, turn_about_y(p) * distance_factor(m, radius), p.y, radius);
+	return orient(m, vec3_turn(p) * distance_factor(m, radius), p.y, radius);
 }
 
 static Vec3 apply_spherical(const WarpMapping *m, Vec3 p)
@@ -172,7 +165,7 @@ static Vec3 apply_spherical(const WarpMapping *m, Vec3 p)
 		return p;
 	double factor = distance_factor(m, length),
 		   height = atan2(p.y, sqrt(p.x * p.x + p.z * p.z)) / M_PI + 0.5;
-	return orient(m, turn_about_y(p) * factor, height * factor, length);
+	return orient(m, vec3_turn(p) * factor, height * factor, length);
 }
 
 static Vec3 apply_toroidal(const WarpMapping *m, Vec3 p)
@@ -180,7 +173,7 @@ static Vec3 apply_toroidal(const WarpMapping *m, Vec3 p)
 	double out = sqrt(p.x * p.x + p.z * p.z) - m->major_radius,
 		   length = sqrt(out * out + p.y * p.y);
 	double factor = distance_factor(m, length), turn = atan2(p.y, out) / (2 * M_PI) + 0.5;
-	return orient(m, turn_about_y(p) * factor, turn * factor, length);
+	return orient(m, vec3_turn(p) * factor, turn * factor, length);
 }
 
 /* The faces of a cube unfolded to a cross of 4 by 3: -x, +z, +x, -z in the middle row, +y above and
