@@ -24,7 +24,7 @@ static void seen_add(Seen *sum, Seen part, Rgb weight)
 {
 	sum->color = rgb_add(sum->color, rgb_mul(part.color, weight));
 	sum->caustic = rgb_add(sum->caustic, rgb_mul(part.caustic, weight));
-	sum->transmit += part.transmit * (weight.r + weight.g + weight.b) / 3;
+	sum->transmit += part.transmit * ((weight.r + weight.g + weight.b) / 3);
 }
 
 static float seen_power(float value, float exponent)
@@ -44,6 +44,13 @@ static void seen_raise(Seen *seen, float exponent)
 }
 
 /* ---- where a ray goes on ---- */
+
+/* A hit with one of its textures' stacks. */
+typedef struct Shaded {
+	const ShadePoint *point;
+	const ShadingLayer *layers; /* of all stacks */
+	const ShadingStack *stack;
+} Shaded;
 
 /* The largest share of any colour, taken positive: transmit may be negative. */
 static double rgb_peak(Rgb color)
@@ -78,14 +85,16 @@ static void next_ray(const PathRay *path, const ShadePoint *point, const BsdfEve
 	next->reflected = path->reflected || event->kind == BSDF_REFLECT || event->total;
 }
 
-static void follow_event(Tracer *tracer, const PathRay *path, const ShadePoint *point,
+/* sum: of the stack's light, which its weight is yet to lessen. */
+static void follow_event(Tracer *tracer, const PathRay *path, const Shaded *shaded,
 			 BsdfEvent *event, Seen *sum)
 {
+	const ShadePoint *point = shaded->point;
 	if (event->kind == BSDF_TRANSMIT && inside_has(&path->inside, point->surface))
 		event->weight = rgb_mul(event->weight,
 					shade_attenuation(point->surface->interior, point->hit->t));
 	PathRay next;
-	next.weight = path->weight * rgb_peak(event->weight);
+	next.weight = path->weight * shaded->stack->weight * rgb_peak(event->weight);
 	if (next.weight < tracer->scene->settings.adc_bailout) {
 		tracer->statistics.bailouts++;
 		return;
@@ -124,10 +133,11 @@ static Rgb hue_balance(int count)
 	return rgb(1 / total.r, 1 / total.g, 1 / total.b);
 }
 
-static void follow_hues(Tracer *tracer, const PathRay *path, const ShadePoint *point,
+static void follow_hues(Tracer *tracer, const PathRay *path, const Shaded *shaded,
 			const Bsdf *white, Seen *sum)
 {
-	int hues = hue_count(point->surface->interior);
+	const Surface *surface = shaded->point->surface;
+	int hues = hue_count(surface->interior);
 	Rgb balance = hue_balance(hues);
 	for (int i = 0; i < hues; i++) {
 		PathRay colored = *path;
@@ -136,24 +146,18 @@ static void follow_hues(Tracer *tracer, const PathRay *path, const ShadePoint *p
 		Rgb share = rgb_mul(hue_color(i, hues), balance);
 		colored.colored = true;
 		colored.hue = (i + 0.5) / hues;
-		bsdf.ior = inside_ratio_of_hue(&path->inside, point->surface, colored.hue);
+		bsdf.ior = inside_ratio_of_hue(&path->inside, surface, colored.hue);
 		int count = bsdf_events(&bsdf, TRANSPORT_RADIANCE, events);
 		for (int k = 0; k < count; k++) {
 			if (events[k].kind == BSDF_REFLECT)
 				continue;
 			events[k].weight = rgb_mul(events[k].weight, share);
-			follow_event(tracer, &colored, point, &events[k], sum);
+			follow_event(tracer, &colored, shaded, &events[k], sum);
 		}
 	}
 }
 
 /* ---- one surface ---- */
-
-/* A hit with its textures. */
-typedef struct Shaded {
-	const ShadePoint *point;
-	const Shading *shading;
-} Shaded;
 
 /* Low quality: the top layer's colour, fully lit, nothing else. */
 static Seen flat_color(const Shading *shading)
@@ -193,11 +197,11 @@ static double mirror_ratio(const Tracer *tracer, const PathRay *path, const Surf
 		       : inside_mirror_ratio_of_hue(&path->inside, surface, path->hue);
 }
 
-static Seen shade_stack(Tracer *tracer, const PathRay *path, const Shaded *shaded,
-			const ShadingStack *stack, FirstHit *first)
+static void make_bsdf(Tracer *tracer, const PathRay *path, const Shaded *shaded, Bsdf *bsdf)
 {
 	const ShadePoint *point = shaded->point;
-	const Shading *shading = shaded->shading;
+	const ShadingStack *stack = shaded->stack;
+	const ShadingLayer *layers = &shaded->layers[stack->first];
 	BsdfPlace place = {
 		.from = vec3_neg(path->ray.direction),
 		.geometric = point->at.normal,
@@ -211,10 +215,16 @@ static Seen shade_stack(Tracer *tracer, const PathRay *path, const Shaded *shade
 	};
 	bool grainy = false;
 	for (int i = 0; i < stack->count; i++)
-		grainy = grainy || shading->layers[stack->first + i].finish->crand > 0;
+		grainy = grainy || layers[i].finish->crand > 0;
 	place.grain = grainy ? sampler_next(&tracer->sampler) : 0;
+	bsdf_init(bsdf, layers, stack->count, &place);
+}
+
+static Seen shade_stack(Tracer *tracer, const PathRay *path, const Shaded *shaded, FirstHit *first)
+{
+	const ShadePoint *point = shaded->point;
 	Bsdf bsdf;
-	bsdf_init(&bsdf, &shading->layers[stack->first], stack->count, &place);
+	make_bsdf(tracer, path, shaded, &bsdf);
 	double distance = path->distance + point->hit->t;
 	double footprint = tracer->sample_width + tracer->sample_spread * distance;
 	LitPoint lit = {.p = point->at.world, .surface = point->surface, .inside = &path->inside,
@@ -231,9 +241,9 @@ static Seen shade_stack(Tracer *tracer, const PathRay *path, const Shaded *shade
 	bool parted = !path->colored && interior_disperses(point->surface->interior);
 	for (int i = 0; i < count; i++)
 		if (!parted || events[i].kind == BSDF_REFLECT)
-			follow_event(tracer, path, point, &events[i], &sum);
+			follow_event(tracer, path, shaded, &events[i], &sum);
 	if (parted)
-		follow_hues(tracer, path, point, &bsdf, &sum);
+		follow_hues(tracer, path, shaded, &bsdf, &sum);
 	return sum;
 }
 
@@ -255,17 +265,11 @@ static Seen shade_hit(Tracer *tracer, const PathRay *path, const Hit *hit, First
 		note_first(first, &point, &shading, hit->t);
 	if (!tracer->quality.lights)
 		return flat_color(&shading);
-	if (shading.stack_count == 1 && shading.stacks[0].weight == 1)
-		return shade_stack(tracer, path, &(Shaded){&point, &shading}, &shading.stacks[0],
-				   first);
 	Seen sum = SEEN_NOTHING;
-	PathRay part = *path;
 	for (int i = 0; i < shading.stack_count; i++) {
-		const ShadingStack *stack = &shading.stacks[i];
-		part.weight = path->weight * stack->weight;
-		seen_add(&sum,
-			 shade_stack(tracer, &part, &(Shaded){&point, &shading}, stack, first),
-			 rgb_all(stack->weight));
+		const Shaded shaded = {&point, shading.layers, &shading.stacks[i]};
+		seen_add(&sum, shade_stack(tracer, path, &shaded, first),
+			 rgb_all(shaded.stack->weight));
 	}
 	return sum;
 }
