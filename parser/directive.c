@@ -153,12 +153,13 @@ static void repeat_for(Reader *reader, uint32_t opener, Location where)
 		return;
 	}
 	value->number += loop->step;
-	if (loop_is_over(loop, value->number))
+	if (reader_has_failed(reader) || loop_is_over(loop, value->number))
 		reader->loop_count--;
 	else
 		source_jump(reader, loop->body);
 }
 
+/* A loop whose body has a mistake may never end; nothing is rendered, so it goes round no more. */
 static void run_end(Reader *reader, const Token *token, Location where)
 {
 	uint32_t opener = token->link.next;
@@ -168,7 +169,7 @@ static void run_end(Reader *reader, const Token *token, Location where)
 		return;
 	}
 	Word word = (Word)source_top(reader)->file->tokens[opener].code;
-	if (word == W_while)
+	if (word == W_while && !reader_has_failed(reader))
 		source_jump(reader, opener);
 	else if (word == W_for)
 		repeat_for(reader, opener, where);

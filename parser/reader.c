@@ -12,6 +12,11 @@
  * has it. */
 static const double VERSION_UNSAID = 3.62;
 
+bool reader_has_failed(const Reader *reader)
+{
+	return diag_errors(reader->context.diag) > reader->errors_before;
+}
+
 /* The scene's own folder stands first among the library paths. */
 static void set_library_paths(Context *context, const ReaderOptions *options)
 {
@@ -142,10 +147,10 @@ static void destroy(Reader *reader)
 
 bool reader_read(const ReaderOptions *options, SceneBuilder *builder, Diag *diag)
 {
-	int errors_before = diag_errors(diag);
 	Reader *reader = memory_alloc(sizeof *reader);
 	memset(reader, 0, sizeof *reader);
 	reader->options = options;
+	reader->errors_before = diag_errors(diag);
 	set_context(reader, options, builder, diag);
 	if (options->version > 0)
 		builder->settings.version = options->version;
@@ -153,6 +158,7 @@ bool reader_read(const ReaderOptions *options, SceneBuilder *builder, Diag *diag
 	read_scene(reader, options);
 	files_close_all(&reader->context);
 	bool interrupted = options->interrupted && *options->interrupted;
+	bool good = !reader_has_failed(reader) && !interrupted;
 	destroy(reader);
-	return diag_errors(diag) == errors_before && !interrupted;
+	return good;
 }

@@ -130,10 +130,14 @@ struct Reader {
 	Semantic last_value;
 	bool poisoned;       /* it stands for a mistake that was reported */
 	bool stopped;        /* nothing more is read */
+	int errors_before;   /* what the diagnostics had counted when the scene began */
 	bool version_given;  /* by #version or the options */
 	const Expansion
 		*expansions[256]; /* the latest, by a hash: loops call from the same place */
 };
+
+/* reader.c: a mistake in this scene has been reported. */
+bool reader_has_failed(const Reader *reader);
 
 /* source.c */
 Source *source_top(Reader *reader);

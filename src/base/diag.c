@@ -6,12 +6,18 @@
 
 #include "base/arena.h"
 
-enum { FULL = 20, CHAIN_SHOWN = 8, LINE_SHOWN = 200 };
+enum { FULL = 20, CHAIN_SHOWN = 8, LINE_SHOWN = 200, WARNED_KEPT = 64 };
 
 typedef struct Source {
 	const char *name, *text;
 	size_t length;
 } Source;
+
+/* A warning that was printed: loops and macros come by its place again and again. */
+typedef struct Warned {
+	uint32_t source, offset;
+	const char *format;
+} Warned;
 
 struct Diag {
 	FILE *out;
@@ -19,6 +25,8 @@ struct Diag {
 	uint32_t source_count;
 	int errors;
 	bool quiet, no_warnings;
+	Warned warned[WARNED_KEPT]; /* the latest */
+	unsigned warned_count;
 	pthread_mutex_t lock;
 };
 
@@ -163,9 +171,24 @@ void diag_error(Diag *diag, Location at, const char *format, ...)
 	count_error(diag);
 }
 
+/* True once for each of the latest places; what stands at no place is always new. */
+static bool is_new_warning(Diag *diag, Location at, const char *format)
+{
+	bool known = false;
+	pthread_mutex_lock(&diag->lock);
+	for (unsigned i = 0; i < diag->warned_count && i < WARNED_KEPT && at.source && !known; i++)
+		known = diag->warned[i].source == at.source &&
+			diag->warned[i].offset == at.offset && diag->warned[i].format == format;
+	if (!known)
+		diag->warned[diag->warned_count++ % WARNED_KEPT] =
+			(Warned){at.source, at.offset, format};
+	pthread_mutex_unlock(&diag->lock);
+	return !known;
+}
+
 void diag_warning(Diag *diag, Location at, const char *format, ...)
 {
-	if (diag->no_warnings)
+	if (diag->no_warnings || !is_new_warning(diag, at, format))
 		return;
 	va_list args;
 	va_start(args, format);

@@ -55,6 +55,7 @@ Position diag_position(const Diag *diag, Location at);
 
 void diag_error(Diag *diag, Location at, const char *format, ...)
 	__attribute__((format(printf, 3, 4)));
+/* The same warning at the same place, as in a loop, is printed once. */
 void diag_warning(Diag *diag, Location at, const char *format, ...)
 	__attribute__((format(printf, 3, 4)));
 /* A scene's own words (#debug, #warning text), printed as they are. */
