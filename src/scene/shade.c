@@ -1,7 +1,5 @@
 #include "scene/shade.h"
 
-#include <string.h>
-
 #include "geom/csg.h"
 
 void shade_point_init(ShadePoint *point, const Ray *ray, const Hit *hit)
@@ -18,44 +16,20 @@ void shade_point_init(ShadePoint *point, const Ray *ray, const Hit *hit)
 	};
 }
 
-/* Appends the shading of one of several textures, with its weight. */
-static void append_shading(Shading *to, const Shading *from, double weight)
+static TexturePart numbered_part(const Surface *surface, int number, double weight)
 {
-	if (to->layer_count + from->layer_count > SHADING_MAX_LAYERS ||
-	    to->stack_count + from->stack_count > SHADING_MAX_STACKS)
-		return;
-	memcpy(&to->layers[to->layer_count], from->layers,
-	       sizeof *from->layers * (size_t)from->layer_count);
-	for (int i = 0; i < from->stack_count; i++) {
-		ShadingStack stack = from->stacks[i];
-		stack.first += to->layer_count;
-		stack.weight *= (float)weight;
-		to->stacks[to->stack_count++] = stack;
-	}
-	to->layer_count += from->layer_count;
-}
-
-static void shade_one_texture(const ShadePoint *point, int number, Shading *out)
-{
-	const Surface *surface = point->surface;
-	if (number >= 0 && number < surface->texture_count && surface->textures[number])
-		texture_shade(surface->textures[number], surface->numbered_attach, &point->at, out);
-	else
-		texture_shade(surface->texture, surface->attach, &point->at, out);
+	bool own = number < 0 || number >= surface->texture_count || !surface->textures[number];
+	return own ? (TexturePart){surface->texture, surface->attach, weight}
+		   : (TexturePart){surface->textures[number], surface->numbered_attach, weight};
 }
 
 static void shade_numbered(const ShadePoint *point, const ShapeTextures *covering, Shading *out)
 {
-	if (covering->count == 1) {
-		shade_one_texture(point, covering->numbers[0], out);
-		return;
-	}
-	out->layer_count = out->stack_count = 0;
-	for (int i = 0; i < covering->count; i++) {
-		Shading one;
-		shade_one_texture(point, covering->numbers[i], &one);
-		append_shading(out, &one, covering->weights[i]);
-	}
+	TexturePart parts[SHAPE_MAX_TEXTURES];
+	for (int i = 0; i < covering->count; i++)
+		parts[i] = numbered_part(point->surface, covering->numbers[i],
+					 covering->weights[i]);
+	texture_shade_parts(parts, covering->count, &point->at, out);
 }
 
 /* ---- cutaway_textures ---- */
@@ -63,40 +37,42 @@ static void shade_numbered(const ShadePoint *point, const ShapeTextures *coverin
 enum { CUTAWAY_MOST = 16 }; /* textures at a place: those of further parts are left out */
 
 typedef struct Cut {
-	const Surface *parts[CUTAWAY_MOST];
+	const ShadePoint *point;
+	TexturePart parts[CUTAWAY_MOST];
 	int count;
 } Cut;
 
+static void add_cut(Cut *cut, const Surface *part)
+{
+	bool inner = cut->point->back && part->interior_texture;
+	if (part->cutaway || cut->count == CUTAWAY_MOST)
+		return;
+	cut->parts[cut->count++] = (TexturePart){inner ? part->interior_texture : part->texture,
+						 part->attach, 1};
+}
+
 /* The shape's primitives that hold the place, unless something around them does not; what is cut
  * off within the shape and what shows the parts it cuts has nothing of its own. */
-static void find_cut(const Shape *shape, Vec3 place, Cut *cut)
+static void find_cut(const Shape *shape, Cut *cut)
 {
-	if (!shape_inside(shape, place))
+	if (!shape_inside(shape, cut->point->at.world))
 		return;
 	const Csg *csg = csg_is(shape) ? shape->data : NULL;
 	for (int i = 0; csg && i < csg->count; i++)
-		find_cut(csg->children[i], place, cut);
-	const Surface *own = shape->owner;
-	if (!csg && !shape->inverted && !own->cutaway && cut->count < CUTAWAY_MOST)
-		cut->parts[cut->count++] = own;
+		find_cut(csg->children[i], cut);
+	if (!csg && !shape->inverted)
+		add_cut(cut, shape->owner);
 }
 
 /* False where nothing is cut: the texture is the face's own. */
 static bool shade_cut(const ShadePoint *point, Shading *out)
 {
 	const Cutaway *cutaway = point->surface->cutaway;
-	Cut cut = {.count = 0};
+	Cut cut = {.point = point};
 	for (int i = 0; i < cutaway->count; i++)
-		find_cut(cutaway->parts[i], point->at.world, &cut);
-	out->layer_count = out->stack_count = 0;
-	for (int i = 0; i < cut.count; i++) {
-		const Surface *part = cut.parts[i];
-		bool inner = point->back && part->interior_texture;
-		Shading one;
-		texture_shade(inner ? part->interior_texture : part->texture, part->attach,
-			      &point->at, &one);
-		append_shading(out, &one, 1.0 / cut.count);
-	}
+		find_cut(cutaway->parts[i], &cut);
+	if (cut.count > 0)
+		texture_shade_parts(cut.parts, cut.count, &point->at, out);
 	return cut.count > 0;
 }
 

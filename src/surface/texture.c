@@ -158,16 +158,28 @@ static bool shade_uniform(const Texture *texture, Vec3 normal, Shading *out)
 	return true;
 }
 
+static void shade_part(const TexturePart *part, const SurfacePoint *at, Shading *out)
+{
+	const Transform *attach = part->attach;
+	Place place = {.at = *at, .normal = into(attach, at->normal), .frame = attach};
+	place.at.p = attach ? transform_point_inverse(attach, at->world) : at->world;
+	shade(part->texture, &place, part->weight, out);
+}
+
+void texture_shade_parts(const TexturePart *parts, int count, const SurfacePoint *at, Shading *out)
+{
+	if (count == 1 && shade_uniform(parts->texture, at->normal, out))
+		return;
+	out->layer_count = out->stack_count = 0;
+	for (int i = 0; i < count; i++)
+		shade_part(&parts[i], at, out);
+	rescale(out);
+}
+
 void texture_shade(const Texture *texture, const Transform *attach, const SurfacePoint *at,
 		   Shading *out)
 {
-	if (shade_uniform(texture, at->normal, out))
-		return;
-	Place place = {.at = *at, .normal = into(attach, at->normal), .frame = attach};
-	place.at.p = attach ? transform_point_inverse(attach, at->world) : at->world;
-	out->layer_count = out->stack_count = 0;
-	shade(texture, &place, 1, out);
-	rescale(out);
+	texture_shade_parts(&(TexturePart){texture, attach, 1}, 1, at, out);
 }
 
 bool texture_is_opaque(const Texture *texture)

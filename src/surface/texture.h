@@ -155,6 +155,16 @@ typedef struct Shading {
 void texture_shade(const Texture *texture, const Transform *attach, const SurfacePoint *at,
 		   Shading *out);
 
+/* One of several textures that cover a point together, as above, and its share of it. */
+typedef struct TexturePart {
+	const Texture *texture;
+	const Transform *attach;
+	double weight;
+} TexturePart;
+
+/* The same of all of them; shares are rescaled to add up to 1. */
+void texture_shade_parts(const TexturePart *parts, int count, const SurfacePoint *at, Shading *out);
+
 /* True when no place of it lets light through. May say false for an opaque one. */
 bool texture_is_opaque(const Texture *texture);
 /* True when every layer of it has a diffuse part or a highlight, and none reflects. May say

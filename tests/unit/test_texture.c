@@ -148,7 +148,8 @@ static void test_texture_map(void)
 	CHECK(shading.stack_count == 1 && weight_of(&shading, &f[2]) == 1);
 }
 
-/* More textures than there is room for: the weights still add up to 1. */
+/* More textures than there is room for: the weights still add up to 1, those of two such as well.
+ */
 static void test_overflow(void)
 {
 	enum { MANY = SHADING_MAX_STACKS + 20 };
@@ -162,6 +163,11 @@ static void test_overflow(void)
 	SurfacePoint at = point(0);
 	Shading shading;
 	texture_shade(&average, NULL, &at, &shading);
+	CHECK(shading.stack_count == SHADING_MAX_STACKS);
+	CHECK_NEAR(weight_of(&shading, &finish), 1, 1e-5);
+	average.texture_count = SHADING_MAX_STACKS - 20;
+	texture_shade_parts((TexturePart[]){{&average, NULL, 0.3}, {&average, NULL, 0.7}}, 2, &at,
+			    &shading);
 	CHECK(shading.stack_count == SHADING_MAX_STACKS);
 	CHECK_NEAR(weight_of(&shading, &finish), 1, 1e-5);
 }
