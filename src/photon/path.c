@@ -97,8 +97,8 @@ static Photon *new_photon(PhotonBuffer *out)
 /*
  * Flat faces throw sheets of light of their own, and catch them; each is known by its normal on the
  * side that the light comes from and by how far it is along that from the middle of what the light
- * was aimed at. Distances are told apart to a thousandth of that; steps' ends are where no scene
- * has faces on purpose, so that rounding does not part a face.
+ * was aimed at, told apart to a thousandth of the aim's radius. Steps' ends are where no scene has
+ * faces on purpose, so that rounding does not part a face.
  */
 static uint64_t face_of(const Path *path, const Meeting *at)
 {
@@ -111,7 +111,9 @@ static uint64_t face_of(const Path *path, const Meeting *at)
 	uint64_t normal = (uint64_t)llrint(steps * at->normal.x) +
 			  ((uint64_t)llrint(steps * at->normal.y) << 20) +
 			  ((uint64_t)llrint(steps * at->normal.z) << 40) + 1;
-	return random_mix(normal) ^ (uint64_t)(int64_t)floor(distances * distance + odd);
+	double place = floor(distances * distance + odd);
+	/* beside targets without a size there is no telling */
+	return random_mix(normal) ^ (fabs(place) < 1e15 ? (uint64_t)(int64_t)place : 0);
 }
 
 /* The hash of a way that ends with an event at an object's face. */

@@ -29,7 +29,7 @@
 #else
 #define CLONES
 #endif
-/* What is not inlined there is no clone. */
+/* Else a clone would call what is compiled for any processor. */
 #define INLINE static inline __attribute__((always_inline))
 
 /* ---- one photon's step ---- */

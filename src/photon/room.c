@@ -37,7 +37,7 @@ PhotonForecast photon_room_forecast(const Scene *scene, const PhotonAims *aims,
 	enum { PROBES = 256, PROBE_PATHS = 64 };
 	PhotonBuffer buffer = {.photons = NULL};
 	uint64_t paths = 0;
-	double before = clock_wall();
+	double before = clock_cpu();
 	const PhotonAim *aim = aims->aims, *last = &aims->aims[aims->count - 1];
 	for (int i = 0; i < PROBES && !(options->stop && *options->stop); i++) {
 		uint64_t path = aims->paths / PROBES * (uint64_t)i;
@@ -50,7 +50,7 @@ PhotonForecast photon_room_forecast(const Scene *scene, const PhotonAims *aims,
 	}
 	free(buffer.photons);
 	double scale = paths ? (double)aims->paths / (double)paths : 0;
-	return (PhotonForecast){scale * (double)buffer.count, scale * (clock_wall() - before)};
+	return (PhotonForecast){scale * (double)buffer.count, scale * (clock_cpu() - before)};
 }
 
 void photon_room_refuse(const Scene *scene, const PhotonAims *aims,

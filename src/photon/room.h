@@ -11,7 +11,7 @@
  * them; at most as many as 32 bits can number. */
 uint64_t photon_room(const Scene *scene);
 /* About how many photons all these paths leave, and the processor time they take, in seconds: from
- * a few of them, spread evenly; zeros when stopped. */
+ * a few of them, spread evenly, fewer when stopped; zeros from none. */
 typedef struct PhotonForecast { double photons, seconds; } PhotonForecast;
 PhotonForecast photon_room_forecast(const Scene *scene, const PhotonAims *aims,
 			    const PhotonTraceOptions *options);

@@ -225,7 +225,6 @@ static void test_placed(Arena *arena)
 	CHECK(!sphere_class.placed(arena, new_sphere(arena, vec3_all(0), 1)->data, &upright));
 }
 
-/* Rays in the very plane of a side meet the box, on either of its sides; those beside it do not. */
 static bool asked_bounds(const void *data, Box3 *box)
 {
 	(void)data;
@@ -289,6 +288,7 @@ static void test_nothing_left(Arena *arena)
 	}
 }
 
+/* Rays in the very plane of a side meet the box, on either of its sides; those beside it do not. */
 static void test_slabs(void)
 {
 	Box3 box = {vec3(-1, -2, -3), vec3(1, 2, 3)};

@@ -135,7 +135,6 @@ static void test_lathe_rise(const Shape *cone)
 	}
 }
 
-/* A linear lathe around a triangle profile is a cone: the distance is known. */
 /* u runs about the axis from x over z, as POV-Ray's. */
 static void check_turn_uv(const Shape *shape, double y)
 {
@@ -149,6 +148,7 @@ static void check_turn_uv(const Shape *shape, double y)
 	}
 }
 
+/* A linear lathe around a triangle profile is a cone: the distance is known. */
 static void test_lathe(Arena *arena)
 {
 	const char *error;
