@@ -68,14 +68,19 @@ static void take_spiral(Cursor *cursor, Pattern *pattern)
 static void take_tiling(Cursor *cursor, Pattern *pattern)
 {
 	TilingData *data = new_data(cursor, pattern, sizeof *data);
-	data->kind = 1;
-	if (!cursor_take_int(cursor, &data->kind))
-		return;
-	if (data->kind < 1 || data->kind > 27) {
+	int kind = 1;
+	cursor_take_int(cursor, &kind);
+	if (kind < 1 || kind > 27)
 		diag_error(cursor->context->diag, cursor->last->where,
 			   "tiling takes a number from 1 to 27");
-		data->kind = 1;
-	}
+	else if (kind > TILING_KINDS)
+		diag_error(cursor->context->diag, cursor->last->where,
+			   "the tilings beyond %d, which never repeat, are not supported",
+			   TILING_KINDS);
+	else
+		data->tiling = tiling_create(cursor->context->builder->arena, kind);
+	if (!data->tiling)
+		pattern->class = NULL;
 }
 
 static FractalData *new_fractal(Cursor *cursor, Pattern *pattern)

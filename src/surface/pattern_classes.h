@@ -17,6 +17,8 @@ extern const PatternClass pattern_ripples, pattern_waves;
 /* pattern_block.c */
 extern const PatternClass pattern_checker, pattern_brick, pattern_hexagon, pattern_cubic,
 	pattern_square, pattern_triangular, pattern_object;
+/* pattern_tiling.c */
+extern const PatternClass pattern_tiling;
 /* pattern_crackle.c */
 extern const PatternClass pattern_cells, pattern_crackle, pattern_facets;
 /* pattern_fractal.c */

@@ -29,9 +29,14 @@ typedef struct BrickData {
 	Vec3 size;
 	double mortar;
 } BrickData; /* <8, 3, 4.5>, 0.5 */
+
+typedef struct Tiling Tiling;
 typedef struct TilingData {
-	int kind;
-} TilingData; /* tiling: 1..27; 1 */
+	const Tiling *tiling;
+} TilingData; /* tiling; needed */
+/* The tiles of `tiling KIND`. */
+enum { TILING_KINDS = 24 };
+const Tiling *tiling_create(Arena *arena, int kind); /* 1 to TILING_KINDS */
 
 typedef struct PavementData {
 	int sides;                    /* number_of_sides 3, 4, 6; 3 */
