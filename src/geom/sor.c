@@ -8,6 +8,7 @@
 typedef struct Piece {
 	double low, high;
 	double f[4]; /* r^2 = f0 + f1 w + f2 w^2 + f3 w^3, w = y - low */
+	double largest; /* r^2 */
 } Piece;
 
 typedef struct Sor {
@@ -24,16 +25,6 @@ static double slope_of_square(const Vec2 *p, int i)
 	return 2 * p[i].u * (p[i + 1].u - p[i - 1].u) / (p[i + 1].v - p[i - 1].v);
 }
 
-/* Hermite interpolation of r^2 between points i and i + 1. */
-static Piece make_piece(const Vec2 *p, int i)
-{
-	double h = p[i + 1].v - p[i].v, a = p[i].u * p[i].u, b = p[i + 1].u * p[i + 1].u;
-	double da = slope_of_square(p, i), db = slope_of_square(p, i + 1), rise = (b - a) / h;
-	return (Piece){p[i].v,
-		       p[i + 1].v,
-		       {a, da, (3 * rise - 2 * da - db) / h, (da + db - 2 * rise) / (h * h)}};
-}
-
 static double square_at(const Piece *piece, double y)
 {
 	return polynomial_eval(piece->f, 3, y - piece->low);
@@ -48,6 +39,19 @@ static double largest_square(const Piece *piece)
 			best = fmax(best, square_at(piece, piece->low + w[i]));
 	}
 	return best;
+}
+
+/* Hermite interpolation of r^2 between points i and i + 1. */
+static Piece make_piece(const Vec2 *p, int i)
+{
+	double h = p[i + 1].v - p[i].v, a = p[i].u * p[i].u, b = p[i + 1].u * p[i + 1].u;
+	double da = slope_of_square(p, i), db = slope_of_square(p, i + 1), rise = (b - a) / h;
+	Piece piece = {p[i].v,
+		       p[i + 1].v,
+		       {a, da, (3 * rise - 2 * da - db) / h, (da + db - 2 * rise) / (h * h)},
+		       0};
+	piece.largest = largest_square(&piece);
+	return piece;
 }
 
 const void *sor_create(Arena *arena, const SorDesc *desc, const char **error)
@@ -71,7 +75,7 @@ const void *sor_create(Arena *arena, const SorDesc *desc, const char **error)
 	double largest = 0;
 	for (int i = 0; i < sor->count; i++) {
 		pieces[i] = make_piece(p, i + 1);
-		largest = fmax(largest, largest_square(&pieces[i]));
+		largest = fmax(largest, pieces[i].largest);
 	}
 	sor->pieces = pieces;
 	sor->radius = sqrt(largest);
@@ -101,33 +105,56 @@ static void narrow(double range[2], double o, double d, double lo, double hi)
 		range[1] = -INFINITY;
 	if (d == 0)
 		return;
-	range[0] = fmax(range[0], fmin(a, b));
-	range[1] = fmin(range[1], fmax(a, b));
+	range[0] = real_max(range[0], real_min(a, b));
+	range[1] = real_min(range[1], real_max(a, b));
 }
 
-/* Where the ray is in the box around a piece; a little wider, since roots are looked for strictly
- * inside. */
-static bool piece_range(const Sor *sor, const Piece *piece, const Ray *ray, double range[2])
+/* A ray on its way through the box around the whole. */
+typedef struct Way {
+	const Ray *ray;
+	double range[2];
+	double nearest; /* where it is nearest to the axis */
+} Way;
+
+static Way make_way(const Sor *sor, const Ray *ray)
 {
-	range[0] = ray->tmin;
-	range[1] = ray->tmax;
+	Vec3 o = ray->origin, d = ray->direction;
+	double across = d.x * d.x + d.z * d.z;
+	Way way = {ray, {ray->tmin, ray->tmax}, 0};
+	narrow(way.range, o.x, d.x, -sor->radius, sor->radius);
+	narrow(way.range, o.z, d.z, -sor->radius, sor->radius);
+	if (across > 0)
+		way.nearest = -(o.x * d.x + o.z * d.z) / across;
+	return way;
+}
+
+/* Where the ray is in the box around a piece, if it is there as near to the axis as the piece; a
+ * little wider, since roots are looked for strictly inside. */
+static bool piece_range(const Piece *piece, const Way *way, double range[2])
+{
+	static const double rounding = 1e-9;
+	const Ray *ray = way->ray;
+	range[0] = way->range[0];
+	range[1] = way->range[1];
 	narrow(range, ray->origin.y, ray->direction.y, piece->low, piece->high);
-	narrow(range, ray->origin.x, ray->direction.x, -sor->radius, sor->radius);
-	narrow(range, ray->origin.z, ray->direction.z, -sor->radius, sor->radius);
 	if (!(range[0] <= range[1]))
 		return false;
-	double slack = 1e-9 * (fabs(range[0]) + fabs(range[1]));
-	range[0] = fmax(range[0] - slack, ray->tmin);
-	range[1] = fmin(range[1] + slack, ray->tmax);
+	Vec3 p = ray_at(ray, real_min(real_max(way->nearest, range[0]), range[1]));
+	if (p.x * p.x + p.z * p.z > (1 + rounding) * piece->largest)
+		return false;
+	double slack = rounding * (fabs(range[0]) + fabs(range[1]));
+	range[0] = real_max(range[0] - slack, ray->tmin);
+	range[1] = real_min(range[1] + slack, ray->tmax);
 	return true;
 }
 
-static void cross_piece(const Shape *self, const Ray *ray, int number, HitList *out)
+static void cross_piece(const Shape *self, const Way *way, int number, HitList *out)
 {
 	const Sor *sor = self->data;
 	const Piece *piece = &sor->pieces[number];
+	const Ray *ray = way->ray;
 	double range[2];
-	if (!piece_range(sor, piece, ray, range))
+	if (!piece_range(piece, way, range))
 		return;
 	Vec3 o = ray->origin, d = ray->direction;
 	double w = o.y - piece->low, dy = d.y;
@@ -162,8 +189,9 @@ static void cross_cap(const Shape *self, const Ray *ray, int cap, HitList *out)
 static void sor_intersect(const Shape *self, const Ray *ray, HitList *out)
 {
 	const Sor *sor = self->data;
+	const Way way = make_way(sor, ray);
 	for (int i = 0; i < sor->count; i++)
-		cross_piece(self, ray, i, out);
+		cross_piece(self, &way, i, out);
 	if (ray->direction.y != 0) {
 		cross_cap(self, ray, CAP_LOW, out);
 		cross_cap(self, ray, CAP_HIGH, out);
