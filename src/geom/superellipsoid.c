@@ -13,8 +13,16 @@
 
 enum { NEWTON_STEPS = 60, PINCHED_SAMPLES = 10, KINK_PLANES = 5 };
 
+/* Of a pair's norm: the exponents around its own for which it needs no power; it is at most `up`
+ * times the norm with the lower, and at least `down` times that with the higher one. */
+typedef struct PairBounds {
+	int below, above;
+	double up, down;
+} PairBounds;
+
 typedef struct Superellipsoid {
 	double e, n;
+	PairBounds across, both;
 	bool convex;
 } Superellipsoid;
 
@@ -24,12 +32,24 @@ static const double LEAST_EXPONENT = 1e-4;
 /* What the rounding of a norm may be. */
 static const double RANGE_ROUNDING = 1e-12;
 
+static PairBounds bounds_of(double exponent)
+{
+	static const int easy[] = {4, 2, 1, 0};
+	int i = 0;
+	while (easy[i] > exponent)
+		i++;
+	PairBounds bounds = {.below = easy[i], .up = exp2(0.5 * (exponent - easy[i]))};
+	bounds.above = i > 0 ? easy[i - 1] : INT_MAX;
+	bounds.down = i > 0 ? exp2(0.5 * (exponent - bounds.above)) : 0;
+	return bounds;
+}
+
 const void *superellipsoid_create(Arena *arena, double e, double n)
 {
 	e = fmax(LEAST_EXPONENT, e);
 	n = fmax(LEAST_EXPONENT, n);
 	Superellipsoid *shape = ARENA_NEW(arena, Superellipsoid);
-	*shape = (Superellipsoid){e, n, e <= 2 && n <= 2};
+	*shape = (Superellipsoid){e, n, bounds_of(e), bounds_of(n), e <= 2 && n <= 2};
 	return shape;
 }
 
@@ -72,24 +92,35 @@ typedef struct Range {
 	double least, most;
 } Range;
 
-/* The pair's norm lies between those of the powers around it: the larger one, Pythagoras' and the
- * sum. */
-static Range pair_range(Range a, double b, double exponent)
+/* A pair's norm for an exponent whose powers are roots at most; for any other more than any norm.
+ */
+static double easy_norm(int exponent, double a, double b)
 {
-	double larger = a.least > b ? a.least : b;
-	if (exponent > 2)
-		return (Range){a.least + b, INFINITY};
-	if (exponent > 1)
-		return (Range){sqrt(a.least * a.least + b * b), a.most + b};
-	return (Range){larger, sqrt(a.most * a.most + b * b)};
+	double roots = exponent == 4 ? sqrt(a) + sqrt(b) : 0;
+	switch (exponent) {
+	case 0: return real_max(a, b);
+	case 1: return sqrt(a * a + b * b);
+	case 2: return a + b;
+	case 4: return roots * roots;
+	default: return 1e300;
+	}
+}
+
+/* The norm rises with the exponent, and the mean by powers (the norm with half of each) falls. */
+static Range pair_range(const PairBounds *bounds, Range a, double b)
+{
+	Range range = {easy_norm(bounds->below, a.least, b), easy_norm(bounds->above, a.most, b)};
+	double up = bounds->up * easy_norm(bounds->below, a.most, b),
+	       down = bounds->down * easy_norm(bounds->above, a.least, b);
+	return (Range){real_max(range.least, down), real_min(range.most, up)};
 }
 
 /* Most points need no power to be told from each other. */
 static bool is_inside(const Superellipsoid *shape, Vec3 p)
 {
 	double x = fabs(p.x);
-	Range range =
-		pair_range(pair_range((Range){x, x}, fabs(p.y), shape->e), fabs(p.z), shape->n);
+	Range rho = pair_range(&shape->across, (Range){x, x}, fabs(p.y)),
+	      range = pair_range(&shape->both, rho, fabs(p.z));
 	if (range.least > 1 + RANGE_ROUNDING)
 		return false;
 	if (range.most < 1 - RANGE_ROUNDING)
@@ -117,8 +148,8 @@ static bool newton_from(const Superellipsoid *shape, const Ray *ray, double *t, 
 	return true;
 }
 
-/* Where the line enters and leaves; the latter only if more than one crossing is wanted or the ray
- * starts behind the first. */
+/* Where the ray enters and leaves between t[0] and t[1]; the latter only if more than one crossing
+ * is wanted or it starts inside. What is there already when it starts or ends is left as it is. */
 static int cross_convex(const Superellipsoid *shape, const Ray *ray, int most, double t[2])
 {
 	if (!newton_from(shape, ray, &t[0], 1))
@@ -178,22 +209,23 @@ static int kinks_between(const Ray *ray, const double t[2], double ends[KINK_PLA
 	return count;
 }
 
-/* The crossing in an interval whose ends lie on two sides; the first interval starts outside,
- * whatever the gauge is there. */
+/* The crossing in an interval whose ends lie on two sides; enters: it starts outside, whatever the
+ * gauge is there. */
 static double refine_change(const Superellipsoid *shape, const Ray *ray, const double t[2],
-			    bool first)
+			    bool enters)
 {
-	return refine(shape, ray, t, first ? 1 : gauge_along(shape, ray, t[0]),
+	return refine(shape, ray, t, enters ? 1 : gauge_along(shape, ray, t[0]),
 		      gauge_along(shape, ray, t[1]));
 }
 
-/* Crossings in rising order, at most `most`. */
+/* Crossings between t[0] and t[1] in rising order, at most `most`. Where the ray comes from beyond
+ * the box it is outside at first. */
 static void cross_pinched(const Shape *self, const Ray *ray, const double t[2], int most,
 			  HitList *out)
 {
 	const Superellipsoid *shape = self->data;
 	double ends[KINK_PLANES + 1], last = t[0], before = t[0];
-	bool was_inside = false;
+	bool enters = t[0] > ray->tmin, was_inside = !enters && is_inside(shape, ray_at(ray, t[0]));
 	int count = kinks_between(ray, t, ends);
 	for (int i = 0; i < count; last = ends[i++]) {
 		double step = (ends[i] - last) / PINCHED_SAMPLES;
@@ -203,7 +235,7 @@ static void cross_pinched(const Shape *self, const Ray *ray, const double t[2], 
 			if (inside != was_inside) {
 				double places[] = {before, at};
 				hit_list_add(out, ray, self,
-					     refine_change(shape, ray, places, before == t[0]), 0);
+					     refine_change(shape, ray, places, enters && before == t[0]), 0);
 				if (out->count >= most)
 					return;
 			}
@@ -222,6 +254,8 @@ static void superellipsoid_cross(const Shape *self, const Ray *ray, int most, Hi
 	if (!box_cross((Box3){vec3_all(-1), vec3_all(1)}, ray, t, faces) || t[1] < ray->tmin ||
 	    t[0] > ray->tmax)
 		return;
+	t[0] = real_max(t[0], ray->tmin);
+	t[1] = real_min(t[1], ray->tmax);
 	if (!shape->convex) {
 		cross_pinched(self, ray, t, most, out);
 		return;

@@ -75,6 +75,28 @@ static inline int test_nearest(const Shape *shape, const Ray *ray, const HitList
 	return found && fabs(hit.t - list->hits[0].t) > 1e-9 * (1 + fabs(hit.t));
 }
 
+/* A ray that ends, and one that starts, between the first two crossings have the first and the
+ * others; the latter's nearest is the second, within the step. */
+static inline int test_ends(const Shape *shape, const Ray *ray, const HitList *list, double step)
+{
+	Ray before = *ray, after = *ray;
+	HitList first, others;
+	Hit hit;
+	if (list->count < 2 || !(list->hits[1].t - list->hits[0].t > 1e-6))
+		return 0;
+	before.tmax = after.tmin = 0.5 * (list->hits[0].t + list->hits[1].t);
+	hit_list_init(&first);
+	hit_list_init(&others);
+	shape_intersect(shape, &before, &first);
+	shape_intersect(shape, &after, &others);
+	int bad = first.count != 1 || others.count != list->count - 1 ||
+		  !shape_nearest(shape, &after, &hit) ||
+		  fabs(hit.t - list->hits[1].t) * vec3_length(ray->direction) > step;
+	hit_list_free(&first);
+	hit_list_free(&others);
+	return bad;
+}
+
 static inline int test_in_box(const Shape *shape, const Ray *ray, const HitList *list)
 {
 	int bad = 0;
@@ -140,7 +162,8 @@ static inline void check_shape(const Shape *shape, const ShapeTraits *traits, in
 		hit_list_sort(&list);
 		hits += list.count;
 		bad += test_crossings(shape, &ray, &list, traits) +
-		       test_nearest(shape, &ray, &list);
+		       test_nearest(shape, &ray, &list) +
+		       test_ends(shape, &ray, &list, traits->step);
 		bad += test_in_box(shape, &ray, &list);
 		moved += traits->fixed ? 0 : test_transformed(shape, &ray, &list);
 		hit_list_free(&list);

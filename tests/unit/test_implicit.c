@@ -95,6 +95,24 @@ static void test_high_order(Arena *arena)
 	check_same(&poly, &super, 1, 1e-6);
 }
 
+/* Inside, told mostly without powers, is where (|x|^(2/e) + |y|^(2/e))^(e/n) + |z|^(2/n) < 1. */
+static void test_gauge(Arena *arena)
+{
+	static const double exponents[] = {0.1, 0.5, 1, 1.5, 2, 2.5, 3, 4, 5, 9};
+	enum { COUNT = sizeof exponents / sizeof *exponents };
+	for (int i = 0; i < COUNT * COUNT; i++) {
+		double e = exponents[i / COUNT], n = exponents[i % COUNT];
+		Shape shape = test_shape(&superellipsoid_class, superellipsoid_create(arena, e, n));
+		Sampler sampler = {5, (uint64_t)i, 0};
+		for (int k = 0; k < 200; k++) {
+			Vec3 p = vec3_mul(test_point(&sampler, 1), test_point(&sampler, 1));
+			double across = pow(fabs(p.x), 2 / e) + pow(fabs(p.y), 2 / e),
+			       all = pow(across, e / n) + pow(fabs(p.z), 2 / n);
+			CHECK(fabs(all - 1) < 1e-9 || shape_inside(&shape, p) == (all < 1));
+		}
+	}
+}
+
 static void test_superellipsoid(Arena *arena)
 {
 	Shape ball = test_shape(&superellipsoid_class, superellipsoid_create(arena, 1, 1));
@@ -247,6 +265,7 @@ int main(void)
 	test_poly(arena);
 	test_high_order(arena);
 	test_superellipsoid(arena);
+	test_gauge(arena);
 	test_blob(arena);
 	test_long_blob(arena);
 	test_isosurface(arena);

@@ -50,7 +50,7 @@ static int check_normals(const Shape *shape, const HitList *list, const Ray *ray
 static void check_solid(const Shape *shape, const char *name, double allowed)
 {
 	Sampler s = {11, 0, 0};
-	int turns = 0, normals = 0, hits = 0, nearest = 0;
+	int turns = 0, normals = 0, hits = 0, nearest = 0, ends = 0;
 	double size = vec3_distance(shape->box.lo, shape->box.hi);
 	for (int i = 0; i < SHAPE_CHECK_RAYS; i++) {
 		Vec3 through = random_in_box(&s, shape->box, 0),
@@ -63,18 +63,16 @@ static void check_solid(const Shape *shape, const char *name, double allowed)
 		turns += check_alternation(shape, &list, &ray);
 		normals += check_normals(shape, &list, &ray, 1e-6 * size);
 		hits += list.count;
-		Hit hit;
-		bool found = shape_nearest(shape, &ray, &hit);
-		nearest += found != (list.count > 0) ||
-			   (found && fabs(hit.t - list.hits[0].t) > 1e-9 * size);
+		nearest += test_nearest(shape, &ray, &list);
+		ends += test_ends(shape, &ray, &list, 1e-9 * size);
 		hit_list_free(&list);
 	}
 	if (hits < SHAPE_CHECK_RAYS / 4 || turns > allowed * SHAPE_CHECK_RAYS ||
-	    normals > allowed * hits || nearest > 0) {
+	    normals > allowed * hits || nearest + ends > 0) {
 		check_failures++;
 		printf("%s: %d hits, %d rays out of turn, %d wrong normals, "
-		       "%d wrong nearest hits\n",
-		       name, hits, turns, normals, nearest);
+		       "%d wrong nearest hits, %d wrong where they are cut\n",
+		       name, hits, turns, normals, nearest, ends);
 	}
 }
 
