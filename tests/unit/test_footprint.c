@@ -1,8 +1,10 @@
 /* Footprints on maps from emitter to surface that are known. */
 #include "density/estimator.h"
 
+#include <pthread.h>
 #include <stdlib.h>
 #include <string.h>
+#include <time.h>
 
 #include "base/clock.h"
 #include "base/parallel.h"
@@ -43,22 +45,49 @@ static DensityEstimator *make(const PhotonMap *map, double radius)
 	return estimator;
 }
 
-/* Stopped from the start, nothing is made and hardly any time taken. */
-static void test_stop(void)
+/* Stops what goes on when it has taken so much processor time. */
+typedef struct Patience {
+	double until;
+	volatile int stop, over;
+} Patience;
+
+static void *lose_patience(void *data)
 {
-	PhotonMap *map = make_map(60000, 0, straight);
+	Patience *patience = data;
+	while (clock_cpu() < patience->until && !patience->over)
+		nanosleep(&(struct timespec){.tv_nsec = 500000}, NULL);
+	patience->stop = !patience->over;
+	return NULL;
+}
+
+/* Processor seconds; when stopped, nothing is made. */
+static double time_creation(const PhotonMap *map, double patience_for)
+{
 	Diag *diag = diag_create(NULL);
 	PhotonSettings settings = photon_settings_default();
 	Estimator method = {.kind = ESTIMATOR_FOOTPRINT};
-	volatile int stop = 0;
-	EstimatorSetup setup = {&method, &settings, map, 0, &stop};
 	double begin = clock_cpu();
-	estimator_destroy(estimator_create(&setup, diag));
-	double whole = clock_cpu() - begin;
-	stop = 1;
-	CHECK(!estimator_create(&setup, diag) && diag_errors(diag) == 0);
-	CHECK(clock_cpu() - begin - whole < 0.5 * whole);
+	Patience patience = {begin + patience_for, patience_for <= 0, 0};
+	EstimatorSetup setup = {&method, &settings, map, 0, &patience.stop};
+	pthread_t thread;
+	CHECK(pthread_create(&thread, NULL, lose_patience, &patience) == 0);
+	DensityEstimator *estimator = estimator_create(&setup, diag);
+	double seconds = clock_cpu() - begin;
+	patience.over = 1;
+	pthread_join(thread, NULL);
+	CHECK(!estimator == (patience_for < INFINITY) && diag_errors(diag) == 0);
+	estimator_destroy(estimator);
 	diag_destroy(diag);
+	return seconds;
+}
+
+/* Stopped at any time, it ends soon. */
+static void test_stop(void)
+{
+	PhotonMap *map = make_map(60000, 0, straight);
+	double whole = time_creation(map, INFINITY);
+	for (double share = 0; share < 0.5; share += 0.15)
+		CHECK(time_creation(map, share * whole) < (share + 0.3) * whole);
 	photon_map_destroy(map);
 }
 
