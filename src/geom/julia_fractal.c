@@ -17,6 +17,9 @@
 
 enum { BISECTIONS = 12 };
 
+/* What is done for each iterate is too small for a call. */
+#define INLINE static inline __attribute__((always_inline))
+
 /* Iterates beyond this squared length have escaped. */
 static const double ESCAPE = 16;
 /* Gradients stop at iterates so long, before anything overflows. */
@@ -91,14 +94,14 @@ static Vec4 into_slice(const JuliaFractal *julia, Vec3 p)
 	return (Vec4){p.x, p.y, p.z, julia->offset + vec3_dot(julia->tilt, p)};
 }
 
-static double length2(Vec4 q)
+INLINE double length2(Vec4 q)
 {
 	return q.x * q.x + q.y * q.y + q.z * q.z + q.w * q.w;
 }
 
 /* ---- quaternions ---- */
 
-static Vec4 multiply(Vec4 p, Vec4 q)
+INLINE Vec4 multiply(Vec4 p, Vec4 q)
 {
 	return (Vec4){p.x * q.x - p.y * q.y - p.z * q.z - p.w * q.w,
 		      p.x * q.y + p.y * q.x + p.z * q.w - p.w * q.z,
@@ -106,23 +109,21 @@ static Vec4 multiply(Vec4 p, Vec4 q)
 		      p.x * q.w + p.y * q.z - p.z * q.y + p.w * q.x};
 }
 
-static Vec4 add(Vec4 p, Vec4 q)
+INLINE Vec4 add(Vec4 p, Vec4 q)
 {
 	return (Vec4){p.x + q.x, p.y + q.y, p.z + q.z, p.w + q.w};
 }
 
-static Vec4 square(Vec4 q)
+INLINE Vec4 square(Vec4 q)
 {
 	return (Vec4){q.x * q.x - q.y * q.y - q.z * q.z - q.w * q.w, 2 * q.x * q.y, 2 * q.x * q.z,
 		      2 * q.x * q.w};
 }
 
-static Vec4 quaternion_next(const JuliaFractal *julia, Vec4 q)
+INLINE Vec4 quaternion_next(const JuliaFractal *julia, Vec4 q, bool cube)
 {
 	Vec4 power = square(q);
-	if (julia->desc.function == JULIA_CUBE)
-		power = multiply(power, q);
-	return add(power, julia->parameter);
+	return add(cube ? multiply(power, q) : power, julia->parameter);
 }
 
 /* The derivative of q^2 along v: q v + v q. */
@@ -142,18 +143,23 @@ static Vec4 quaternion_slope(const JuliaFractal *julia, Vec4 q, Vec4 v)
 }
 
 /* Distance to the set, 0 inside. */
-static double quaternion_distance(const JuliaFractal *julia, Vec4 q)
+INLINE double distance_by(const JuliaFractal *julia, Vec4 q, bool cube)
 {
 	double growth2 = 1, r2 = length2(q);
-	bool cube = julia->desc.function == JULIA_CUBE;
 	for (int i = 0; i < julia->iterations; i++) {
 		growth2 *= cube ? 9 * r2 * r2 : 4 * r2;
-		q = quaternion_next(julia, q);
+		q = quaternion_next(julia, q, cube);
 		r2 = length2(q);
 		if (r2 > ESCAPE)
-			return fmax(DBL_MIN, 0.25 * log(r2) * sqrt(r2 / growth2));
+			return real_max(DBL_MIN, 0.25 * log(r2) * sqrt(r2 / growth2));
 	}
 	return 0;
+}
+
+static double quaternion_distance(const JuliaFractal *julia, Vec4 q)
+{
+	return julia->desc.function == JULIA_CUBE ? distance_by(julia, q, true)
+						  : distance_by(julia, q, false);
 }
 
 static double dot(Vec4 p, Vec4 q)
@@ -169,7 +175,7 @@ static Vec3 quaternion_gradient(const JuliaFractal *julia, Vec4 q)
 		x = quaternion_slope(julia, q, x);
 		y = quaternion_slope(julia, q, y);
 		z = quaternion_slope(julia, q, z);
-		q = quaternion_next(julia, q);
+		q = quaternion_next(julia, q, julia->desc.function == JULIA_CUBE);
 	}
 	return vec3(dot(q, x), dot(q, y), dot(q, z));
 }
@@ -329,7 +335,7 @@ static void julia_cross(const Shape *self, const Ray *ray, int most, HitList *ou
 		}
 		was_inside = inside;
 		last = at;
-		at += fmax(distance / speed4, julia->least / speed);
+		at += real_max(distance / speed4, julia->least / speed);
 	}
 }
 
