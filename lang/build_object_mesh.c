@@ -89,20 +89,13 @@ static void read_triangle_textures(Cursor *cursor, MeshReading *reading, int num
 	reading->textured |= block != NULL;
 }
 
-static void put_vec3(float out[3], Vec3 v)
-{
-	out[0] = (float)v.x;
-	out[1] = (float)v.y;
-	out[2] = (float)v.z;
-}
-
 static void add_triangle(MeshReading *reading, const Triangle *triangle)
 {
 	int row = reading->count++;
 	for (int i = 0; i < 3; i++) {
 		int corner = 3 * row + i;
-		put_vec3(reading->vertices[corner], triangle->corner[i]);
-		put_vec3(reading->normals[corner], triangle->normal[i]);
+		vec3_to_floats(triangle->corner[i], reading->vertices[corner]);
+		vec3_to_floats(triangle->normal[i], reading->normals[corner]);
 		reading->uvs[corner][0] = (float)triangle->uv[i].u;
 		reading->uvs[corner][1] = (float)triangle->uv[i].v;
 		reading->triangles[row][i] = corner;
@@ -221,7 +214,7 @@ static float (*read_vectors(Cursor *cursor, const Node *block, int *count))[3]
 		Vec3 v;
 		if (!cursor_take_vec3(&inside, &v))
 			return NULL;
-		put_vec3(vectors[i], v);
+		vec3_to_floats(v, vectors[i]);
 	}
 	return cursor_end(&inside) ? vectors : NULL;
 }

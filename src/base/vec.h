@@ -17,6 +17,17 @@ static inline double real_min(double a, double b) { return a < b ? a : b; }
 static inline double real_max(double a, double b) { return a > b ? a : b; }
 
 static inline Vec3 vec3(double x, double y, double z) { return (Vec3){x, y, z}; }
+/* Where numbers are kept in single precision. */
+static inline Vec3 vec3_of_floats(const float v[3])
+{
+	return (Vec3){(double)v[0], (double)v[1], (double)v[2]};
+}
+static inline void vec3_to_floats(Vec3 a, float out[3])
+{
+	out[0] = (float)a.x;
+	out[1] = (float)a.y;
+	out[2] = (float)a.z;
+}
 static inline Vec3 vec3_all(double s) { return (Vec3){s, s, s}; }
 static inline Vec3 vec3_add(Vec3 a, Vec3 b) { return (Vec3){a.x + b.x, a.y + b.y, a.z + b.z}; }
 static inline Vec3 vec3_sub(Vec3 a, Vec3 b) { return (Vec3){a.x - b.x, a.y - b.y, a.z - b.z}; }

@@ -41,11 +41,6 @@ static const double default_diffusivity = 0.5;
 /* A kernel is at most ten times as long as wide: narrower ones hold single photons. */
 static const double least_eigenvalue = 0.01;
 
-static Vec3 position_of(const Photon *photon)
-{
-	return vec3(photon->position[0], photon->position[1], photon->position[2]);
-}
-
 /* ---- gradients ---- */
 
 static void set_gradient(void *data, long item, int thread)
@@ -53,7 +48,8 @@ static void set_gradient(void *data, long item, int thread)
 	(void)thread;
 	Diffusion *d = data;
 	const Photon *center = &d->map->photons[item];
-	GatherPoint point = {.position = position_of(center), .normal = photon_normal(center)};
+	GatherPoint point = {.position = vec3_of_floats(center->position),
+			     .normal = photon_normal(center)};
 	GatherTask task = {.map = d->map, .point = &point};
 	Neighbor found[GATHER_ROOM(d->gradient_count)];
 	double radius2, density = 0;
@@ -63,7 +59,7 @@ static void set_gradient(void *data, long item, int thread)
 		const Photon *photon = &d->map->photons[found[i].index];
 		double flux = rgb_gray(photon_flux(photon));
 		sum = vec3_mad(sum, 2 * flux / sqrt(radius2),
-			       vec3_sub(position_of(photon), point.position));
+			       vec3_sub(vec3_of_floats(photon->position), point.position));
 		density += flux * (1 - found[i].distance2 / radius2);
 	}
 	sum = vec3_mad(sum, -vec3_dot(sum, point.normal), point.normal);
@@ -102,8 +98,7 @@ static Tensor structure_tensor(const Diffusion *d, const Frame *frame, const Nei
 	Tensor s = {0, 0, 0};
 	double total = 0;
 	for (int i = 0; i < count; i++) {
-		const float *g = d->gradients[found[i].index].at;
-		Vec3 gradient = vec3(g[0], g[1], g[2]);
+		Vec3 gradient = vec3_of_floats(d->gradients[found[i].index].at);
 		double weight = kernel_value(KERNEL_GAUSSIAN, found[i].distance2 / radius2);
 		double u = vec3_dot(gradient, frame->u), v = vec3_dot(gradient, frame->v);
 		s = (Tensor){s.uu + weight * u * u, s.uv + weight * u * v, s.vv + weight * v * v};
@@ -154,7 +149,7 @@ static void diffusion_gather(const void *method, const GatherTask *task, GatherR
 					   least, &root);
 	for (int i = 0; i < count; i++) {
 		const Photon *photon = &task->map->photons[found[i].index];
-		Vec3 offset = vec3_sub(position_of(photon), frame.origin);
+		Vec3 offset = vec3_sub(vec3_of_floats(photon->position), frame.origin);
 		double u = vec3_dot(offset, frame.u), v = vec3_dot(offset, frame.v);
 		double t2 = (inverse.uu * u * u + 2 * inverse.uv * u * v + inverse.vv * v * v) /
 			    radius2;

@@ -63,7 +63,7 @@ static Box3 box_around(Vec3 at, Vec3 reach)
 static Box3 disc_box(const Disc *disc, Vec3 normal)
 {
 	double r = disc->radius;
-	Vec3 at = vec3(disc->at[0], disc->at[1], disc->at[2]);
+	Vec3 at = vec3_of_floats(disc->at);
 	Vec3 flat = vec3(r * sqrt(fmax(0, 1 - normal.x * normal.x)),
 			 r * sqrt(fmax(0, 1 - normal.y * normal.y)),
 			 r * sqrt(fmax(0, 1 - normal.z * normal.z)));

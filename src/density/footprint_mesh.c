@@ -10,8 +10,6 @@
 #include "density/footprint_strangers.h"
 #include "photon/tree.h"
 
-static Vec3 vec3_of(const float v[3]) { return vec3(v[0], v[1], v[2]); }
-
 static const Photon *photon_of(const Sheet *s, uint32_t vertex)
 {
 	return &s->task->map->photons[s->task->photons[vertex]];
@@ -28,7 +26,7 @@ static Chart make_chart(const SheetTask *task)
 	Chart chart = {.plane = photon_map_on_plane(map, p)};
 	Vec3 sum = vec3(0, 0, 0);
 	for (uint32_t i = 0; i < task->count; i++)
-		sum = vec3_add(sum, vec3_of(map->photons[task->photons[i]].emitter));
+		sum = vec3_add(sum, vec3_of_floats(map->photons[task->photons[i]].emitter));
 	double length = vec3_length(sum);
 	chart.middle = length > 0 ? vec3_scale(sum, 1 / length) : vec3(0, 0, 1);
 	vec3_frame(chart.middle, &chart.u, &chart.v);
@@ -39,7 +37,7 @@ void footprint_mesh_chart(const Sheet *s, const float emitter[3], double out[2])
 {
 	const Chart *chart = &s->chart;
 	static const double least = 1e-3; /* the point across from the middle is infinitely far */
-	Vec3 e = vec3_of(emitter);
+	Vec3 e = vec3_of_floats(emitter);
 	double scale = chart->plane ? 1 : 2 / fmax(least, 1 + vec3_dot(e, chart->middle));
 	out[0] = chart->plane ? e.x : scale * vec3_dot(e, chart->u);
 	out[1] = chart->plane ? e.y : scale * vec3_dot(e, chart->v);
@@ -60,7 +58,7 @@ static void settle_hue(Sheet *s, uint32_t vertex)
 {
 	Vertex *v = &s->vertices[vertex];
 	double off = footprint_mesh_hue_shrink(s) * (s->task->hue - footprint_mesh_hue(s, vertex));
-	v->hue_slope = vec3_of(s->task->hue_slopes[vertex]);
+	v->hue_slope = vec3_of_floats(s->task->hue_slopes[vertex]);
 	v->at = vec3_mad(v->at, off, v->hue_slope);
 }
 
@@ -72,7 +70,7 @@ static void make_vertices(Sheet *s)
 	for (uint32_t i = 0; i < s->count; i++) {
 		const Photon *p = photon_of(s, i);
 		Rgb flux = photon_flux(p);
-		s->vertices[i] = (Vertex){.at = vec3_of(p->position),
+		s->vertices[i] = (Vertex){.at = vec3_of_floats(p->position),
 		                          .normal = photon_normal(p),
 		                          .flux = {flux.r, flux.g, flux.b},
 		                          .own = {flux.r, flux.g, flux.b}};

@@ -173,7 +173,7 @@ static void set_disc(void *data, long item, int thread)
 		return;
 	Disc *disc = &m->parts.discs[item];
 	const Photon *p = &m->map->photons[disc->photon];
-	GatherPoint point = {.position = vec3(p->position[0], p->position[1], p->position[2]),
+	GatherPoint point = {.position = vec3_of_floats(p->position),
 	                     .normal = photon_normal(p)};
 	GatherTask task = {.map = m->map, .point = &point};
 	static const double least_share = 1e-3;

@@ -59,8 +59,7 @@ Box3 footprint_patch_box(const Patch *patch, Vec3 normal)
 {
 	Box3 box = box3_empty();
 	for (int i = 0; i < 6; i++) {
-		const float *c = patch->control[i];
-		Vec3 at = vec3(c[0], c[1], c[2]);
+		Vec3 at = vec3_of_floats(patch->control[i]);
 		box = box3_union(box, (Box3){at, at});
 	}
 	Vec3 s = vec3(0.5 * fabs(patch->sweep[0]), 0.5 * fabs(patch->sweep[1]),

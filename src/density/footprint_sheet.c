@@ -68,13 +68,6 @@ static Corner corner_near(const Vertex *v, double du, double dv)
 	return (Corner){v, {v->e[0] + du, v->e[1] + dv}, vec3_add(v->at, way), true};
 }
 
-static void to_floats(Vec3 v, float out[3])
-{
-	out[0] = (float)v.x;
-	out[1] = (float)v.y;
-	out[2] = (float)v.z;
-}
-
 /* From the slopes at both ends (Hermite's). */
 static Vec3 edge_control(const Corner *a, const Corner *b)
 {
@@ -169,12 +162,13 @@ static void draw(Sheet *s, const Corner corners[3], bool straight)
 	for (int i = 0; i < 3; i++) {
 		is_whole = is_whole && corners[i].vertex->shrink == 1;
 		Corner a = corners[i], b = corners[(i + 1) % 3];
-		to_floats(a.at, patch.control[i]);
-		to_floats(straight ? vec3_scale(vec3_add(a.at, b.at), 0.5) : edge_control(&a, &b),
-		          patch.control[3 + i]);
+		vec3_to_floats(a.at, patch.control[i]);
+		Vec3 middle = straight ? vec3_scale(vec3_add(a.at, b.at), 0.5)
+				       : edge_control(&a, &b);
+		vec3_to_floats(middle, patch.control[3 + i]);
 		sweep = vec3_mad(sweep, s->task->hue_width / 3, a.vertex->hue_slope);
 	}
-	to_floats(sweep, patch.sweep);
+	vec3_to_floats(sweep, patch.sweep);
 	if (area > 0 && is_whole)
 		add_whole(s, &patch, corners, area);
 	else if (area > 0)
@@ -334,6 +328,6 @@ void footprint_sheet_hue_slopes(const SheetTask *task, float (*hue_slopes)[3])
 	footprint_slopes_fit(&s);
 	footprint_slopes_spread_hues(&s);
 	for (uint32_t i = 0; i < s.count; i++)
-		to_floats(s.vertices[i].hue_slope, hue_slopes[i]);
+		vec3_to_floats(s.vertices[i].hue_slope, hue_slopes[i]);
 	footprint_mesh_free(&s);
 }

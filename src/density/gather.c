@@ -15,7 +15,7 @@ bool gather_accepts(const GatherPoint *point, const Photon *photon, double radiu
 	double cosine = vec3_dot(photon_normal(photon), point->normal);
 	if ((point->both_sides ? fabs(cosine) : cosine) < least_cosine)
 		return false;
-	Vec3 at = vec3(photon->position[0], photon->position[1], photon->position[2]);
+	Vec3 at = vec3_of_floats(photon->position);
 	double off = vec3_dot(vec3_sub(at, point->position), point->normal);
 	return fabs(off) <= gather_thickness(radius);
 }

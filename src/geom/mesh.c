@@ -152,11 +152,8 @@ static const Corner3 *copy_corners(Arena *arena, const MeshDesc *desc)
 static void set_unit_normals(const MeshDesc *desc, const int *index, Corner3 out)
 {
 	for (int k = 0; k < 3; k++) {
-		const float *row = desc->normals[index[k]];
-		Vec3 n = vec3_normalize(vec3(row[0], row[1], row[2]));
-		out[k][0] = (float)n.x;
-		out[k][1] = (float)n.y;
-		out[k][2] = (float)n.z;
+		Vec3 n = vec3_of_floats(desc->normals[index[k]]);
+		vec3_to_floats(vec3_normalize(n), out[k]);
 	}
 }
 
@@ -185,18 +182,15 @@ Mesh *mesh_create(Arena *arena, const MeshDesc *desc, const char **error)
 	mesh->corners = copy_corners(arena, desc);
 	mesh->normals = copy_normals(arena, desc);
 	mesh->box = box3_empty();
-	for (int i = 0; i < desc->vertex_count; i++) {
-		const float *p = desc->vertices[i];
-		mesh->box = box3_add(mesh->box, vec3(p[0], p[1], p[2]));
-	}
+	for (int i = 0; i < desc->vertex_count; i++)
+		mesh->box = box3_add(mesh->box, vec3_of_floats(desc->vertices[i]));
 	mesh->tree = mesh_tree_create(arena, desc->triangle_count);
 	return mesh;
 }
 
 static Vec3 vertex(const Mesh *mesh, int triangle, int corner)
 {
-	const float *p = mesh->corners[triangle][corner];
-	return vec3(p[0], p[1], p[2]);
+	return vec3_of_floats(mesh->corners[triangle][corner]);
 }
 
 bool mesh_hit_triangle(const Mesh *mesh, int triangle, const Ray *ray, Hit *hit)
@@ -300,10 +294,8 @@ static Vec3 mesh_shading_normal(const void *data, const Hit *hit, Vec3 p)
 	if (!mesh->normals)
 		return mesh_normal(data, hit, p);
 	Vec3 n[3];
-	for (int k = 0; k < 3; k++) {
-		const float *row = mesh->normals[hit->part][k];
-		n[k] = vec3(row[0], row[1], row[2]);
-	}
+	for (int k = 0; k < 3; k++)
+		n[k] = vec3_of_floats(mesh->normals[hit->part][k]);
 	Vec3 smooth = interpolate(n[0], n[1], n[2], hit);
 	return vec3_length2(smooth) > 0 ? smooth : mesh_normal(data, hit, p);
 }

@@ -217,13 +217,6 @@ typedef struct PatchGrid {
 	int columns, rows; /* cells */
 } PatchGrid;
 
-static void store(float out[3], Vec3 p)
-{
-	out[0] = (float)p.x;
-	out[1] = (float)p.y;
-	out[2] = (float)p.z;
-}
-
 static Vec2 patch_uv(const PatchDesc *desc, double u, double v)
 {
 	if (!desc->uv)
@@ -243,8 +236,8 @@ static void fill_points(const PatchDesc *desc, PatchGrid *grid)
 			double u = column / (double)grid->columns, v = row / (double)grid->rows;
 			Vec3 normal, p = patch_point(desc->control, u, v, &normal);
 			Vec2 uv = patch_uv(desc, u, v);
-			store(grid->points[i], p);
-			store(grid->normals[i], patch_normal(desc->control, u, v, normal));
+			vec3_to_floats(p, grid->points[i]);
+			vec3_to_floats(patch_normal(desc->control, u, v, normal), grid->normals[i]);
 			grid->uvs[i][0] = (float)uv.u;
 			grid->uvs[i][1] = (float)uv.v;
 		}

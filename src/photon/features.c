@@ -122,31 +122,23 @@ static int flatten(const RelaxSet *set, uint32_t i, Vec3 u, Vec3 v, const Neighb
 	return count;
 }
 
-static void put(float to[3], Vec3 v)
-{
-	to[0] = (float)v.x;
-	to[1] = (float)v.y;
-	to[2] = (float)v.z;
-}
-
 static void find_basis(RelaxSet *set, const FeatureJob *job, uint32_t i, const Neighbor *near,
 		       int found)
 {
 	RelaxBasis *basis = &set->bases[i];
-	const float *n = set->points[i].normal;
 	double flat[found + 1][2], radius = sqrt(photon_tree_farthest(near, found));
 	RelaxPiece piece = {set, i, near, found, {{0, 0, 0}}, radius, job->pushing};
-	Vec3 *axes = piece.axes, normal = vec3_normalize(vec3(n[0], n[1], n[2]));
+	Vec3 *axes = piece.axes, normal = vec3_normalize(vec3_of_floats(set->points[i].normal));
 	vec3_frame(normal, &axes[0], &axes[1]);
 	int count = flatten(set, i, axes[0], axes[1], near, found, flat);
 	FeatureAxes features = feature_axes((const double (*)[2])flat, count, radius);
 	Vec3 along = vec3_add(vec3_scale(axes[0], features.u[0]),
 			      vec3_scale(axes[1], features.u[1]));
-	put(basis->u, along);
-	put(basis->v, vec3_cross(normal, along));
+	vec3_to_floats(along, basis->u);
+	vec3_to_floats(vec3_cross(normal, along), basis->v);
 	basis->v_length = (float)feature_freedom(features.l2, radius > 0 ? count : 0);
-	put(basis->gradient, job->gradient ? relax_gradient(&piece, &job->pattern)
-					   : vec3(0, 0, 0));
+	vec3_to_floats(job->gradient ? relax_gradient(&piece, &job->pattern) : vec3(0, 0, 0),
+		       basis->gradient);
 }
 
 static void basis_run(RelaxSet *set, uint32_t first, uint32_t end, void *data)

@@ -130,9 +130,7 @@ static void store(Path *path, const Meeting *at)
 	double growth = emission_growth(path->light, path->first_distance, farther);
 	Vec3 from = vec3_neg(path->ray.direction);
 	Photon *photon = new_photon(path->out);
-	photon->position[0] = (float)at->place.x;
-	photon->position[1] = (float)at->place.y;
-	photon->position[2] = (float)at->place.z;
+	vec3_to_floats(at->place, photon->position);
 	memcpy(photon->emitter, emitter, sizeof photon->emitter);
 	photon->length = (float)path->length;
 	photon->light = (uint16_t)path->aim->light;

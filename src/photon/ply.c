@@ -70,7 +70,7 @@ static PlyPhoton unpack(const Photon *p)
 static PlyConstraint unpack_constraint(const Photon *photon, const PhotonConstraint *constraint)
 {
 	const float *u = constraint->along;
-	Vec3 across = vec3_normalize(vec3_cross(photon_normal(photon), vec3(u[0], u[1], u[2])));
+	Vec3 across = vec3_normalize(vec3_cross(photon_normal(photon), vec3_of_floats(u)));
 	Vec3 v = vec3_scale(across, constraint->freedom);
 	return (PlyConstraint){{u[0], u[1], u[2]}, {(float)v.x, (float)v.y, (float)v.z}};
 }

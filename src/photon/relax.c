@@ -154,25 +154,17 @@ static void stay(const RelaxPoint *point, Step *step)
 	memcpy(step->normal, point->normal, sizeof step->normal);
 }
 
-static void put(float to[3], Vec3 v)
-{
-	to[0] = (float)v.x;
-	to[1] = (float)v.y;
-	to[2] = (float)v.z;
-}
-
 /* Onto the surface, or back to where the photon was if there is none. */
 static void project(const RelaxSet *set, const RelaxPoint *point, float length, Step *step)
 {
 	RelaxPlace place = {point->object,
-			    vec3(step->position[0], step->position[1], step->position[2]),
-			    vec3(step->normal[0], step->normal[1], step->normal[2])};
+			    vec3_of_floats(step->position), vec3_of_floats(step->normal)};
 	if (!set->surfaces->project(set->surfaces->data, &place, length)) {
 		stay(point, step);
 		return;
 	}
-	put(step->position, place.position);
-	put(step->normal, place.normal);
+	vec3_to_floats(place.position, step->position);
+	vec3_to_floats(place.normal, step->normal);
 }
 
 CLONES static void step_run(RelaxSet *set, uint32_t first, uint32_t end, void *data)
@@ -255,7 +247,7 @@ static void note_freedom(const Photon *photon, PhotonConstraint *out)
 {
 	Vec3 tangent, across;
 	vec3_frame(photon_normal(photon), &tangent, &across);
-	put(out->along, tangent);
+	vec3_to_floats(tangent, out->along);
 	out->freedom = 1;
 }
 

@@ -26,9 +26,7 @@ void relax_emitter_axes(const float emitter[3], bool on_plane, Vec3 axes[2])
 	axes[0] = vec3(1, 0, 0);
 	axes[1] = vec3(0, 1, 0);
 	if (!on_plane)
-		vec3_frame(vec3_normalize(vec3((double)emitter[0], (double)emitter[1],
-					       (double)emitter[2])),
-			   &axes[0], &axes[1]);
+		vec3_frame(vec3_normalize(vec3_of_floats(emitter)), &axes[0], &axes[1]);
 }
 
 static uint16_t sheet_of(const Photon *photon, uint8_t slice)
@@ -46,12 +44,9 @@ static RelaxPoint make_point(const PhotonMap *map, uint32_t number, uint8_t slic
 			    .on_plane = photon_map_on_plane(map, photon),
 			    .range2 = INFINITY};
 	Rgb flux = photon_flux(photon);
-	Vec3 normal = photon_normal(photon);
 	memcpy(point.position, photon->position, sizeof point.position);
 	memcpy(point.emitter, photon->emitter, sizeof point.emitter);
-	point.normal[0] = (float)normal.x;
-	point.normal[1] = (float)normal.y;
-	point.normal[2] = (float)normal.z;
+	vec3_to_floats(photon_normal(photon), point.normal);
 	point.flux[0] = flux.r;
 	point.flux[1] = flux.g;
 	point.flux[2] = flux.b;
@@ -89,13 +84,10 @@ static void settle_normals(RelaxSet *set, uint32_t first, uint32_t end, void *da
 	(void)data;
 	for (uint32_t i = first; i < end; i++) {
 		RelaxPoint *point = &set->points[i];
-		float *p = point->position, *n = point->normal;
-		RelaxPlace place = {point->object, vec3(p[0], p[1], p[2]), vec3(n[0], n[1], n[2])};
-		if (!set->surfaces->project(set->surfaces->data, &place, 0))
-			continue;
-		n[0] = (float)place.normal.x;
-		n[1] = (float)place.normal.y;
-		n[2] = (float)place.normal.z;
+		RelaxPlace place = {point->object, vec3_of_floats(point->position),
+				    vec3_of_floats(point->normal)};
+		if (set->surfaces->project(set->surfaces->data, &place, 0))
+			vec3_to_floats(place.normal, point->normal);
 	}
 }
 
@@ -131,8 +123,7 @@ void relax_set_store(const RelaxSet *set, PhotonMap *map)
 		Photon *photon = &map->photons[point->photon];
 		memcpy(photon->position, point->position, sizeof photon->position);
 		if (set->surfaces->project)
-			photon_set_normal(
-				photon, vec3(point->normal[0], point->normal[1], point->normal[2]));
+			photon_set_normal(photon, vec3_of_floats(point->normal));
 	}
 }
 

@@ -30,7 +30,7 @@ enum { A, B, HUE, TERMS, X = TERMS, COLUMNS = X + 3 };
 static void fill_row(const Kind *kind, uint32_t i, const Vec3 axes[2], double row[COLUMNS])
 {
 	const Photon *p = &kind->map->photons[kind->photons[i]];
-	Vec3 e = vec3((double)p->emitter[0], (double)p->emitter[1], (double)p->emitter[2]);
+	Vec3 e = vec3_of_floats(p->emitter);
 	row[A] = vec3_dot(e, axes[0]);
 	row[B] = vec3_dot(e, axes[1]);
 	row[HUE] = (double)kind->hues[i];

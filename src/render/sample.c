@@ -22,7 +22,7 @@ static double confidence_width(double confidence)
 			   (1 + t * (1.432788 + t * (0.189269 + t * 0.001308)));
 }
 
-/* variance: what that of the mean may be; it must be below, so that with 0 all samples are taken. */
+/* variance: what that of the mean may be; it must be below: with 0 all samples are taken. */
 static bool bundle_is_sure(const Bundle *bundle, double variance)
 {
 	double n = bundle->count, most = variance * n * (n - 1);
@@ -63,15 +63,12 @@ static void set_color(Tracer *tracer, Seen seen, float *out)
 
 static void set_first(const FirstHit *first, FilmPixel *out)
 {
-	float *normal = out->v + film_layer_offset(FILM_NORMAL);
 	set_rgb(out->v + film_layer_offset(FILM_ALBEDO), first->albedo);
 	set_rgb(out->v + film_layer_offset(FILM_PHOTON_PARAMETER), first->parameter);
 	out->v[film_layer_offset(FILM_PHOTON_COUNT)] = first->photons;
 	out->v[film_layer_offset(FILM_PHOTON_EDGES)] = first->edges;
 	out->v[film_layer_offset(FILM_PHOTON_CONSTRAINT)] = first->constraint;
-	normal[0] = (float)first->normal.x;
-	normal[1] = (float)first->normal.y;
-	normal[2] = (float)first->normal.z;
+	vec3_to_floats(first->normal, out->v + film_layer_offset(FILM_NORMAL));
 	out->v[film_layer_offset(FILM_DEPTH)] = (float)first->depth;
 }
 

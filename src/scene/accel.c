@@ -331,13 +331,10 @@ static void attach_shapes(Accel *accel)
 static void copy_vertices(const Shape *shape, const Mesh *mesh, float *out)
 {
 	for (int i = 0; i < mesh->desc.vertex_count; i++) {
-		const float *v = mesh->desc.vertices[i];
-		Vec3 p = vec3(v[0], v[1], v[2]);
+		Vec3 p = vec3_of_floats(mesh->desc.vertices[i]);
 		if (shape->transform)
 			p = transform_point(shape->transform, p);
-		out[3 * i] = (float)p.x;
-		out[3 * i + 1] = (float)p.y;
-		out[3 * i + 2] = (float)p.z;
+		vec3_to_floats(p, out + 3 * i);
 	}
 }
 

@@ -2,8 +2,7 @@
 
 static Vec3 vertex(const Mesh *mesh, int index)
 {
-	const float *v = mesh->desc.vertices[index];
-	return vec3(v[0], v[1], v[2]);
+	return vec3_of_floats(mesh->desc.vertices[index]);
 }
 
 static Vec2 corner_uv(const Mesh *mesh, int face, int corner)
