@@ -421,14 +421,7 @@ static void blob_intersect(const Shape *self, const Ray *ray, HitList *out)
 
 static bool blob_nearest(const Shape *self, const Ray *ray, Hit *out)
 {
-	HitList list;
-	hit_list_init(&list);
-	blob_cross(self, ray, 1, &list);
-	bool found = list.count > 0;
-	if (found)
-		*out = list.hits[0];
-	hit_list_free(&list);
-	return found;
+	return hit_nearest_by(blob_cross, self, ray, out);
 }
 
 const ShapeClass blob_class = {

@@ -5,6 +5,8 @@
  */
 #include "geom/height_field.h"
 
+#include <limits.h>
+
 #include "geom/ray_box.h"
 
 enum { MAX_LEVELS = 32 };
@@ -203,7 +205,7 @@ static void walk_block(Walk *walk, int level, int x, int z)
 	}
 }
 
-static void height_field_cross(const Shape *self, const Ray *ray, bool nearest, HitList *out)
+static void height_field_cross(const Shape *self, const Ray *ray, int most, HitList *out)
 {
 	Vec3 d = ray->direction;
 	Walk walk = {
@@ -212,7 +214,7 @@ static void height_field_cross(const Shape *self, const Ray *ray, bool nearest, 
 		.ray = *ray,
 		.inverse = vec3(1 / d.x, 1 / d.y, 1 / d.z),
 		.first = (d.x < 0 ? 1 : 0) | (d.z < 0 ? 2 : 0),
-		.nearest = nearest,
+		.nearest = most == 1,
 		.out = out,
 	};
 	walk_block(&walk, walk.field->level_count - 1, 0, 0);
@@ -220,19 +222,12 @@ static void height_field_cross(const Shape *self, const Ray *ray, bool nearest, 
 
 static void height_field_intersect(const Shape *self, const Ray *ray, HitList *out)
 {
-	height_field_cross(self, ray, false, out);
+	height_field_cross(self, ray, INT_MAX, out);
 }
 
 static bool height_field_nearest(const Shape *self, const Ray *ray, Hit *out)
 {
-	HitList list;
-	hit_list_init(&list);
-	height_field_cross(self, ray, true, &list);
-	bool found = list.count > 0;
-	if (found)
-		*out = list.hits[0];
-	hit_list_free(&list);
-	return found;
+	return hit_nearest_by(height_field_cross, self, ray, out);
 }
 
 /* The cell under (x, z) and where in it; false outside the unit square. */

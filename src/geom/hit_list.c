@@ -37,6 +37,18 @@ static int compare_hits(const void *a, const void *b)
 	return (ta > tb) - (ta < tb);
 }
 
+bool hit_nearest_by(ShapeCross *cross, const Shape *self, const Ray *ray, Hit *out)
+{
+	HitList list;
+	hit_list_init(&list);
+	cross(self, ray, 1, &list);
+	bool found = list.count > 0;
+	if (found)
+		*out = list.hits[0];
+	hit_list_free(&list);
+	return found;
+}
+
 /* Lists are short as a rule, then insertion wins. */
 void hit_list_sort(HitList *list)
 {

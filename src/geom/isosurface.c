@@ -192,14 +192,7 @@ static void isosurface_intersect(const Shape *self, const Ray *ray, HitList *out
 
 static bool isosurface_nearest(const Shape *self, const Ray *ray, Hit *out)
 {
-	HitList list;
-	hit_list_init(&list);
-	isosurface_cross(self, ray, 1, &list);
-	bool found = list.count > 0;
-	if (found)
-		*out = list.hits[0];
-	hit_list_free(&list);
-	return found;
+	return hit_nearest_by(isosurface_cross, self, ray, out);
 }
 
 static bool isosurface_inside(const void *data, Vec3 p)

@@ -314,7 +314,7 @@ static double julia_bisect(const JuliaFractal *julia, const Ray *ray, double out
 	return outer;
 }
 
-/* Crossings in rising order, at most `most`. */
+/* Crossings in rising order until the list has `most`. */
 static void julia_cross(const Shape *self, const Ray *ray, int most, HitList *out)
 {
 	const JuliaFractal *julia = self->data;
@@ -324,14 +324,13 @@ static void julia_cross(const Shape *self, const Ray *ray, int most, HitList *ou
 		return;
 	double at = fmax(t[0], ray->tmin), end = fmin(t[1], ray->tmax), last = at;
 	bool was_inside = at < end && julia_distance(julia, ray_at(ray, at)) == 0;
-	while (at < end && most > 0) {
+	while (at < end && out->count < most) {
 		double distance = julia_distance(julia, ray_at(ray, at));
 		bool inside = distance == 0;
 		if (inside != was_inside) {
 			double crossing =
 				julia_bisect(julia, ray, inside ? last : at, inside ? at : last);
 			hit_list_add(out, ray, self, crossing, 0);
-			most--;
 		}
 		was_inside = inside;
 		last = at;
@@ -346,14 +345,7 @@ static void julia_intersect(const Shape *self, const Ray *ray, HitList *out)
 
 static bool julia_nearest(const Shape *self, const Ray *ray, Hit *out)
 {
-	HitList list;
-	hit_list_init(&list);
-	julia_cross(self, ray, 1, &list);
-	bool found = list.count > 0;
-	if (found)
-		*out = list.hits[0];
-	hit_list_free(&list);
-	return found;
+	return hit_nearest_by(julia_cross, self, ray, out);
 }
 
 static Vec3 julia_normal(const void *data, const Hit *hit, Vec3 p)

@@ -69,11 +69,7 @@ static void quadric_intersect(const Shape *self, const Ray *ray, HitList *out)
 static bool quadric_nearest(const Shape *self, const Ray *ray, Hit *out)
 {
 	double t[2];
-	int count = quadric_cross(self->data, ray, t);
-	for (int i = 0; i < count; i++)
-		if (hit_take(out, ray, self, t[i], 0))
-			return true;
-	return false;
+	return hit_take_first(out, ray, self, t, quadric_cross(self->data, ray, t));
 }
 
 static bool quadric_inside(const void *data, Vec3 p)

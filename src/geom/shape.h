@@ -76,6 +76,21 @@ static inline bool hit_take(Hit *out, const Ray *ray, const Shape *shape, double
 	*out = (Hit){.t = t, .shape = shape, .part = part};
 	return true;
 }
+/* The first such of crossings that rise. */
+static inline bool hit_take_first(Hit *out, const Ray *ray, const Shape *shape, const double *t,
+				  int count)
+{
+	for (int i = 0; i < count; i++)
+		if (hit_take(out, ray, shape, t[i], 0))
+			return true;
+	return false;
+}
+
+/* What a class may have that finds crossings in rising order: pushes at least the first `most` of
+ * those between the ray's ends. */
+typedef void ShapeCross(const Shape *self, const Ray *ray, int most, HitList *out);
+/* Its `nearest`. */
+bool hit_nearest_by(ShapeCross *cross, const Shape *self, const Ray *ray, Hit *out);
 
 enum { SHAPE_MAX_TEXTURES = 16 };
 

@@ -218,8 +218,8 @@ static double refine_change(const Superellipsoid *shape, const Ray *ray, const d
 		      gauge_along(shape, ray, t[1]));
 }
 
-/* Crossings between t[0] and t[1] in rising order, at most `most`. Where the ray comes from beyond
- * the box it is outside at first. */
+/* Crossings between t[0] and t[1] in rising order until the list has `most`. Where the ray comes
+ * from beyond the box it is outside at first. */
 static void cross_pinched(const Shape *self, const Ray *ray, const double t[2], int most,
 			  HitList *out)
 {
@@ -272,14 +272,7 @@ static void superellipsoid_intersect(const Shape *self, const Ray *ray, HitList 
 
 static bool superellipsoid_nearest(const Shape *self, const Ray *ray, Hit *out)
 {
-	HitList list;
-	hit_list_init(&list);
-	superellipsoid_cross(self, ray, 1, &list);
-	bool found = list.count > 0;
-	if (found)
-		*out = list.hits[0];
-	hit_list_free(&list);
-	return found;
+	return hit_nearest_by(superellipsoid_cross, self, ray, out);
 }
 
 static bool superellipsoid_inside(const void *data, Vec3 p)

@@ -80,11 +80,7 @@ static void torus_intersect(const Shape *self, const Ray *ray, HitList *out)
 static bool torus_nearest(const Shape *self, const Ray *ray, Hit *out)
 {
 	double t[4];
-	int count = torus_cross(self->data, ray, t);
-	for (int i = 0; i < count; i++)
-		if (hit_take(out, ray, self, t[i], 0))
-			return true;
-	return false;
+	return hit_take_first(out, ray, self, t, torus_cross(self->data, ray, t));
 }
 
 static bool torus_inside(const void *data, Vec3 p)
