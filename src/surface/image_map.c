@@ -8,6 +8,8 @@
 
 #include <math.h>
 
+#include "surface/cubic.h"
+
 /* A place on the raster in pixels, rows from the top. */
 typedef struct Place {
 	double x, y;
@@ -97,15 +99,6 @@ static Rgbft color_add(Rgbft sum, double weight, Rgbft c)
 	float w = (float)weight;
 	return rgbft(sum.r + w * c.r, sum.g + w * c.g, sum.b + w * c.b, sum.filter + w * c.filter,
 	             sum.transmit + w * c.transmit);
-}
-
-/* The four neighbours' weights along one axis, from -1 to 2. */
-static void cubic_weights(double t, double w[4])
-{
-	w[0] = t * (-0.5 + t * (1 - 0.5 * t));
-	w[1] = 1 + t * t * (-2.5 + 1.5 * t);
-	w[2] = t * (0.5 + t * (2 - 1.5 * t));
-	w[3] = t * t * (-0.5 + 0.5 * t);
 }
 
 static Rgbft read_cubic(const ImageMap *map, PixelReader *read, int x, int y, Place t)

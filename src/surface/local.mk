@@ -6,7 +6,7 @@ libsurface_a_SOURCES = src/surface/point.h src/surface/function.h src/surface/pa
 	src/surface/pattern_noise.c src/surface/pattern_simple.c src/surface/pattern_tiling.c \
 	src/surface/pattern_wave.c
 libsurface_a_SOURCES += src/surface/texture.h src/surface/texture.c src/surface/pigment.c src/surface/normal.c src/surface/finish.c \
-	src/surface/interior.c src/surface/blend.h src/surface/blend.c
+	src/surface/interior.c src/surface/blend.h src/surface/blend.c src/surface/cubic.h
 
 # The noise tables are computed at build time from the figures in the maker's source.
 EXTRA_PROGRAMS = src/surface/noise_tables_make

@@ -4,6 +4,7 @@
 
 #include <math.h>
 
+#include "surface/cubic.h"
 #include "surface/image_map.h"
 #include "surface/pattern_classes.h"
 
@@ -104,16 +105,13 @@ static double voxel_at(const DensityData *d, int x, int y, int z)
  */
 static void neighbour_weights(int interpolate, double t, double w[4])
 {
-	if (interpolate == 1) {
-		w[0] = w[3] = 0;
-		w[1] = 1 - t;
-		w[2] = t;
+	if (interpolate != 1) {
+		cubic_weights(t, w);
 		return;
 	}
-	w[0] = t * (-0.5 + t * (1 - 0.5 * t));
-	w[1] = 1 + t * t * (-2.5 + 1.5 * t);
-	w[2] = t * (0.5 + t * (2 - 1.5 * t));
-	w[3] = t * t * (-0.5 + 0.5 * t);
+	w[0] = w[3] = 0;
+	w[1] = 1 - t;
+	w[2] = t;
 }
 
 static double value_density(const Pattern *pattern, const SurfacePoint *at)
