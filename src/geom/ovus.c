@@ -6,6 +6,7 @@
 #include "geom/ovus.h"
 
 #include "geom/polynomial.h"
+#include "geom/ray_box.h"
 #include "geom/sphere.h"
 
 typedef struct Ovus {
@@ -69,16 +70,10 @@ static void cross_spheres(const Shape *self, const Ray *ray, HitList *out)
  * nothing. */
 static bool arc_span(const Ovus *ovus, const Ray *ray, double *middle, double *half)
 {
-	double t[2], dy = ray->direction.y, widest = 2 * (ovus->bottom + ovus->top);
+	double t[2], widest = 2 * (ovus->bottom + ovus->top);
 	if (!sphere_cross(vec3_all(0), widest, ray, t))
 		return false;
-	double a = (ovus->low - ray->origin.y) / dy, b = (ovus->high - ray->origin.y) / dy;
-	if (dy == 0 && (ray->origin.y < ovus->low || ray->origin.y > ovus->high))
-		return false;
-	if (dy != 0) {
-		t[0] = fmax(t[0], fmin(a, b));
-		t[1] = fmin(t[1], fmax(a, b));
-	}
+	ray_slabs_clip(ovus->low, ovus->high, ray->origin.y, 1 / ray->direction.y, t);
 	*middle = 0.5 * (t[0] + t[1]);
 	*half = 0.5 * (t[1] - t[0]);
 	return t[0] < t[1];

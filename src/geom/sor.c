@@ -3,6 +3,7 @@
  * its neighbours with their slopes. A ray gives a cubic in t.
  */
 #include "geom/polynomial.h"
+#include "geom/ray_box.h"
 #include "geom/sweep.h"
 
 typedef struct Piece {
@@ -97,22 +98,11 @@ static bool sor_bounds(const void *data, Box3 *box)
 	return true;
 }
 
-/* Narrows a range of t to where lo <= o + t d <= hi. */
-static void narrow(double range[2], double o, double d, double lo, double hi)
-{
-	double a = (lo - o) / d, b = (hi - o) / d;
-	if (d == 0 && (o < lo || o > hi))
-		range[1] = -INFINITY;
-	if (d == 0)
-		return;
-	range[0] = real_max(range[0], real_min(a, b));
-	range[1] = real_min(range[1], real_max(a, b));
-}
-
 /* A ray on its way through the box around the whole. */
 typedef struct Way {
 	const Ray *ray;
 	double range[2];
+	double inverse; /* of its rise */
 	double nearest; /* where it is nearest to the axis */
 } Way;
 
@@ -120,9 +110,9 @@ static Way make_way(const Sor *sor, const Ray *ray)
 {
 	Vec3 o = ray->origin, d = ray->direction;
 	double across = d.x * d.x + d.z * d.z;
-	Way way = {ray, {ray->tmin, ray->tmax}, 0};
-	narrow(way.range, o.x, d.x, -sor->radius, sor->radius);
-	narrow(way.range, o.z, d.z, -sor->radius, sor->radius);
+	Way way = {ray, {ray->tmin, ray->tmax}, 1 / d.y, 0};
+	ray_slabs_clip(-sor->radius, sor->radius, o.x, 1 / d.x, way.range);
+	ray_slabs_clip(-sor->radius, sor->radius, o.z, 1 / d.z, way.range);
 	if (across > 0)
 		way.nearest = -(o.x * d.x + o.z * d.z) / across;
 	return way;
@@ -136,7 +126,7 @@ static bool piece_range(const Piece *piece, const Way *way, double range[2])
 	const Ray *ray = way->ray;
 	range[0] = way->range[0];
 	range[1] = way->range[1];
-	narrow(range, ray->origin.y, ray->direction.y, piece->low, piece->high);
+	ray_slabs_clip(piece->low, piece->high, ray->origin.y, way->inverse, range);
 	if (!(range[0] <= range[1]))
 		return false;
 	Vec3 p = ray_at(ray, real_min(real_max(way->nearest, range[0]), range[1]));

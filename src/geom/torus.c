@@ -6,6 +6,7 @@
 #include "geom/torus.h"
 
 #include "geom/polynomial.h"
+#include "geom/ray_box.h"
 #include "geom/sphere.h"
 
 typedef struct Torus {
@@ -33,12 +34,8 @@ static bool torus_near(const Torus *torus, const Ray *ray, double t[2])
 	static const double MARGIN = 1 + 1e-9;
 	if (!sphere_cross(vec3_all(0), (torus->major + torus->minor) * MARGIN, ray, t))
 		return false;
-	double dy = ray->direction.y, high = torus->minor * MARGIN;
-	if (dy == 0)
-		return fabs(ray->origin.y) <= high;
-	double a = (-high - ray->origin.y) / dy, b = (high - ray->origin.y) / dy;
-	t[0] = fmax(t[0], fmin(a, b));
-	t[1] = fmin(t[1], fmax(a, b));
+	double high = torus->minor * MARGIN;
+	ray_slabs_clip(-high, high, ray->origin.y, 1 / ray->direction.y, t);
 	return t[0] < t[1];
 }
 

@@ -9,10 +9,10 @@
 #include <string.h>
 
 #include "base/arena.h"
-#include "geom/csg.h"
 #include "scene/accel.h"
 #include "scene/scene.h"
 #include "scene/shade.h"
+#include "scene/visit.h"
 
 /*
  * Surfaces may bend away from the tangent plane by as much as the step is long: more than 45
@@ -53,18 +53,12 @@ typedef struct FixedObjects {
 	int count;
 } FixedObjects;
 
-static void visit_surfaces(const Shape *shape, FixedObjects *objects)
+static void note_surface(void *data, const Surface *surface)
 {
-	const Surface *surface = shape->owner;
-	if (surface) {
-		int id = (uint16_t)surface->id;
-		objects->fixed[id] |= !surface->relaxation;
-		objects->count = id + 1 > objects->count ? id + 1 : objects->count;
-		return;
-	}
-	const Csg *csg = shape->data;
-	for (int i = 0; i < csg->count; i++)
-		visit_surfaces(csg->children[i], objects);
+	FixedObjects *objects = data;
+	int id = (uint16_t)surface->id;
+	objects->fixed[id] |= !surface->relaxation;
+	objects->count = id + 1 > objects->count ? id + 1 : objects->count;
 }
 
 bool photon_relax_scene(PhotonMap *map, const Scene *scene, const volatile int *stop,
@@ -73,7 +67,7 @@ bool photon_relax_scene(PhotonMap *map, const Scene *scene, const volatile int *
 	FixedObjects objects = {memory_alloc(sizeof(bool) * (UINT16_MAX + 1)), 0};
 	memset(objects.fixed, 0, sizeof(bool) * (UINT16_MAX + 1));
 	for (int i = 0; i < scene->shape_count; i++)
-		visit_surfaces(scene->shapes[i], &objects);
+		shape_visit_surfaces(scene->shapes[i], note_surface, &objects);
 	RelaxSurfaces surfaces = {objects.fixed, objects.count, project_on_scene, (void *)scene,
 				  stop};
 	bool moved = photon_relax(map, &scene->settings.photons.relaxation, &surfaces, statistics);
