@@ -15,6 +15,7 @@
 
 /* How far along the normal photons may lie. */
 double gather_thickness(double radius);
+/* Whether the photon lies on the point's surface: about in its plane, on the side that is lit. */
 bool gather_accepts(const GatherPoint *point, const Photon *photon, double radius);
 
 /* Sums in double precision, so that the photons' order hardly shows. */
@@ -28,6 +29,7 @@ typedef struct GatherSum {
 void gather_add(GatherSum *sum, const Photon *photon, double kernel);
 /* The same with a flux that is not the photon's own. */
 void gather_add_flux(GatherSum *sum, const Photon *photon, Rgb flux, double kernel);
+/* The sums, and the means of what is no light; radius: of the photons. */
 void gather_finish(const GatherSum *sum, double radius, GatherResult *result);
 
 /* Drops the neighbours that are not accepted from found, keeping the order; returns how many

@@ -26,14 +26,16 @@ extern const ShapeClass csg_union_class, csg_intersection_class, csg_merge_class
  * it. */
 const Csg *csg_create(Arena *arena, const Shape *const *children, int count);
 
+/* Whether the data is a Csg. */
 bool csg_is(const Shape *shape);
 /* A finished copy of a finished shape with inside and outside swapped, down to the primitives. */
 const Shape *csg_invert(Arena *arena, const Shape *shape);
 
 /* For shape_finish: bounds of the surface of a CSG shape, whose children are finished. */
 Box3 csg_surface_box(const Shape *shape);
+/* And of its inside, infinite for inverted solids. */
 Box3 csg_region_box(const Shape *shape);
-/* Bounds of where shape_inside holds (infinite for inverted solids). */
+/* Of any shape: bounds of where shape_inside holds (infinite for inverted solids). */
 Box3 shape_region_box(const Shape *shape);
 /* Bounds of where within the box it holds: a half space, or what a quadric encloses, cut off only
  * what others leave. */

@@ -12,6 +12,7 @@ typedef struct HeightFieldDesc {
 	double water_level;   /* triangles wholly below are left out; 0: none */
 } HeightFieldDesc;
 
+/* NULL with *error set for too few samples. The heights must outlive it. */
 const void *height_field_create(Arena *arena, const HeightFieldDesc *desc, const char **error);
 extern const ShapeClass height_field_class, smooth_height_field_class;
 

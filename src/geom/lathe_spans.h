@@ -39,6 +39,7 @@ typedef struct LatheSpans {
 	double middle; /* height */
 } LatheSpans;
 
+/* Of finished segments, count > 0. In the arena. */
 LatheSpans lathe_spans_create(Arena *arena, const CurveSegment *segments, int count);
 
 /* Where the span's height is y, between the heights of its ends. */

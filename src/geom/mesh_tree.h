@@ -8,6 +8,7 @@
 
 #include "geom/mesh.h"
 
+/* For so many triangles, not built yet; in the arena. */
 MeshTree *mesh_tree_create(Arena *arena, int triangles);
 
 /* Calls visit for every triangle whose leaf's box the ray meets within (tmin, tmax), near leaves

@@ -22,6 +22,7 @@ typedef struct Outline {
 
 typedef enum CurveKind { CURVE_LINEAR, CURVE_QUADRATIC, CURVE_CUBIC, CURVE_BEZIER } CurveKind;
 
+/* p(s), and its derivative. */
 Vec2 curve_point(const CurveSegment *segment, double s);
 Vec2 curve_tangent(const CurveSegment *segment, double s);
 
@@ -32,6 +33,7 @@ Vec2 curve_tangent(const CurveSegment *segment, double s);
 CurveSegment *curve_from_points(Arena *arena, CurveKind kind, const Vec2 *points, int point_count,
 				int *count, const char **error);
 void curve_finish(CurveSegment *segment); /* computes the bounds */
+/* Around finished segments, which must outlive it. */
 Outline outline_create(const CurveSegment *segments, int count);
 
 /* Parameters s in [0, 1) where c0 + c1 u(s) + c2 v(s) = 0; at most 3, returns how many. */

@@ -21,6 +21,7 @@ typedef struct PatchDesc {
 	const Vec2 *uv;
 } PatchDesc;
 
+/* In the arena; never fails. */
 Mesh *bicubic_patch_create(Arena *arena, const PatchDesc *desc);
 
 #endif

@@ -178,14 +178,17 @@ void shape_finish(Shape *shape);
 void shape_intersect(const Shape *shape, const Ray *ray, HitList *out);
 /* The nearest one; false when there is none. */
 bool shape_nearest(const Shape *shape, const Ray *ray, Hit *out);
+/* Whether the point, of world space, is inside and not clipped away; never of a mere surface. */
 bool shape_inside(const Shape *shape, Vec3 world);
+/* Whether its box is finite. */
 bool shape_is_bounded(const Shape *shape);
 
 /* At a hit on a primitive, world space, unit length. The geometric normal points outward
  * (inverted shapes: inward). */
 Vec3 hit_normal(const Hit *hit, Vec3 world);
+/* What smooth triangles interpolate; of others the geometric one. */
 Vec3 hit_shading_normal_anyhow(const Hit *hit, Vec3 world);
-/* The latter, at once for shapes of which the class alone says all. */
+/* The same, at once for shapes of which the class alone says all. */
 static inline Vec3 hit_shading_normal(const Hit *hit, Vec3 world)
 {
 	const Shape *shape = hit->shape;
@@ -197,6 +200,7 @@ static inline Vec3 hit_shading_normal(const Hit *hit, Vec3 world)
 /* Whether the surface is flat and shaded as such up to the edge of a face. shading: what
  * hit_shading_normal gives, on either side. */
 bool hit_is_flat(const Hit *hit, Vec3 world, Vec3 shading);
+/* The class' (u, v), in 0..1 as a rule; x and y where it has none. */
 Vec2 hit_uv(const Hit *hit, Vec3 world);
 /* Which of the owner's numbered textures cover the hit; 0: the owner's one texture alone. */
 int hit_textures(const Hit *hit, Vec3 world, ShapeTextures *out);

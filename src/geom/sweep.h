@@ -29,6 +29,7 @@ typedef struct LatheDesc {
 	int point_count;
 } LatheDesc;
 
+/* As prism_create. */
 const void *lathe_create(Arena *arena, const LatheDesc *desc, const char **error);
 extern const ShapeClass lathe_class;
 
@@ -39,6 +40,7 @@ typedef struct SorDesc {
 	bool open;
 } SorDesc;
 
+/* NULL with *error set for fewer than four points, or heights that do not rise. */
 const void *sor_create(Arena *arena, const SorDesc *desc, const char **error);
 extern const ShapeClass sor_class;
 
@@ -51,6 +53,7 @@ typedef struct TextDesc {
 	Vec2 offset;
 } TextDesc;
 
+/* NULL with *error set when the font cannot be read. */
 const void *text_create(Arena *arena, const TextDesc *desc, const char **error);
 extern const ShapeClass text_class;
 

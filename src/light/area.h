@@ -10,6 +10,7 @@ typedef struct AreaFrame {
 	Vec3 axis1, axis2;
 } AreaFrame;
 
+/* As p sees them. */
 AreaFrame area_frame(const Light *light, Vec3 p);
 
 /* The point at grid coordinates 0 <= column <= size1 - 1, 0 <= row <= size2 - 1; fractions come

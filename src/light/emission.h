@@ -53,6 +53,7 @@ typedef struct Emission {
 	double measure;         /* of the region the sample was taken from */
 } Emission;
 
+/* What of the light's emitter space has to be sampled for all that may reach the target. */
 EmissionRegion emission_region(const Light *light, const EmissionAim *aim);
 /* 2: coordinates on a plane; 3: on the sphere. */
 int emission_dimensions(const Light *light);

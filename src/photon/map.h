@@ -41,6 +41,7 @@ typedef struct PhotonMap {
 			   0: unknown */
 } PhotonMap;
 
+/* Without photons; the caller destroys it. */
 PhotonMap *photon_map_create(void);
 void photon_map_destroy(PhotonMap *map); /* NULL is allowed */
 /* Whether a photon's emitter coordinates are two on a plane. False: a direction, or not known. */
@@ -53,6 +54,7 @@ void photon_map_index(PhotonMap *map, float emitter_weight);
 /* PLY, binary little-endian, one vertex a photon, every field a named property, constraints too.
  * False on failure, reported. */
 bool photon_map_write(const PhotonMap *map, const char *path, Diag *diag);
+/* What that wrote, not indexed. NULL on failure, reported. */
 PhotonMap *photon_map_read(const char *path, Diag *diag);
 
 #endif

@@ -34,6 +34,8 @@ _Static_assert(sizeof(Photon) == 48, "a photon is 48 bytes");
  * (irradiance divided by pi is not taken). */
 void photon_set_flux(Photon *photon, Rgb flux);
 Rgb photon_flux(const Photon *photon);
+/* Back along the path, and the normal on the photon's side: unit vectors, kept to some thousandths
+ * of a degree and to two and a half degrees. */
 void photon_set_direction(Photon *photon, Vec3 unit);
 Vec3 photon_direction(const Photon *photon);
 void photon_set_normal(Photon *photon, Vec3 unit);

@@ -41,6 +41,7 @@ typedef struct EmitterRange {
 	uint16_t light;
 } EmitterRange;
 
+/* Of any number of points, which are the caller's and may go. */
 PhotonTree *photon_tree_create(const TreePoints *points);
 void photon_tree_destroy(PhotonTree *tree); /* NULL is allowed */
 
@@ -65,6 +66,7 @@ typedef struct NearestQuery {
 } NearestQuery;
 
 int photon_tree_nearest(const PhotonTree *tree, const NearestQuery *query, Neighbor *out);
+/* The greatest squared distance of those found; 0 of none. */
 float photon_tree_farthest(const Neighbor *found, int count);
 
 /* Hands over every point nearer than the radius, some at a time. */

@@ -56,6 +56,8 @@ Film *film_create_like(const Film *film); /* of the same size and layers, all ze
 void film_destroy(Film *film); /* NULL is allowed */
 Film *film_snapshot(const Film *film); /* a copy; the caller destroys it */
 
+/* In pixels; whether it has a layer; and of any film's layer the name that files give it, its
+ * channels, and where it starts in a FilmPixel. */
 int film_width(const Film *film);
 int film_height(const Film *film);
 bool film_has(const Film *film, FilmLayer layer);
@@ -68,6 +70,7 @@ const float *film_pixels(const Film *film, FilmLayer layer);
 
 /* Puts a rectangle's pixels (row by row) in; final says that they won't change any more. */
 void film_commit(Film *film, FilmRect rect, const FilmPixel *pixels, bool final);
+/* A pixel's layers; 0 in those that the film does not have. */
 void film_read(const Film *film, int x, int y, FilmPixel *out);
 bool film_is_final(const Film *film, int x, int y);
 bool film_is_started(const Film *film, int x, int y); /* holds some value, final or not */

@@ -12,6 +12,7 @@ typedef struct SamplePlace {
 	bool first_hit;  /* the film wants to know what was met */
 } SamplePlace;
 
+/* All layers of what is seen there. Sets the tracer's sampler. */
 void sample_image(Tracer *tracer, const SamplePlace *place, FilmPixel *out);
 
 #endif

@@ -10,6 +10,7 @@
 
 typedef struct Accel Accel;
 
+/* Over finished shapes, which must outlive it. */
 Accel *accel_create(const Shape *const *shapes, int count);
 void accel_destroy(Accel *accel);
 

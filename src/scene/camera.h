@@ -27,7 +27,8 @@ typedef struct Camera {
 	double angle;                      /* degrees, horizontal; 0: from direction and right */
 	double h_angle, v_angle;           /* spherical: degrees */
 	const Normal *normal;              /* perturbs rays; or NULL */
-	double aperture, focal_distance;   /* focal blur; aperture 0: none */
+	double aperture, focal_distance;   /* focal blur, as the scene says; aperture 0:
+					      none, else four times the lens' radius */
 	Vec3 focal_point; bool has_focal_point;
 	int blur_samples_min, blur_samples;
 	double confidence, variance;

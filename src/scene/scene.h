@@ -20,9 +20,11 @@ typedef enum FogKind { FOG_CONSTANT = 1, FOG_GROUND = 2 } FogKind;
 typedef struct Fog {
 	FogKind kind;
 	Rgbft color;
-	double distance, offset, alt;
-	Vec3 up;
-	Turbulence turbulence; double turb_depth;
+	double distance;         /* over which it leaves 1/e; 0: no fog */
+	double offset, alt;      /* ground fog: even up to offset along up, thinner by alt above */
+	Vec3 up;                 /* unit */
+	Turbulence turbulence;   /* no amount: none */
+	double turb_depth;       /* how much of the depth that takes */
 } Fog;
 
 typedef struct Rainbow {
@@ -68,6 +70,7 @@ typedef struct SceneBuilder {
 	const Interior *atmosphere; /* top-level media; reserved */
 } SceneBuilder;
 
+/* What is added must live in the builder's arena. */
 void scene_builder_add_object(SceneBuilder *builder, const Object *object);
 void scene_builder_add_fog(SceneBuilder *builder, const Fog *fog);
 void scene_builder_add_rainbow(SceneBuilder *builder, const Rainbow *rainbow);
