@@ -189,6 +189,19 @@ static bool read_photon(PhotonMap *map, uint32_t i, FILE *file)
 				     pack_constraint(&constraint, &map->constraints[i]));
 }
 
+static const char *read_light(PhotonLight *light, FILE *file)
+{
+	static const double most_paths = 1e18;
+	PlyLight row;
+	if (fread(&row, sizeof row, 1, file) != 1)
+		return "it ends too early";
+	if (!(row.paths >= 0 && row.paths <= most_paths && row.parameter_area >= 0 &&
+	      row.parameter_area < INFINITY))
+		return "it holds a light that cannot be";
+	*light = (PhotonLight){(uint64_t)row.paths, row.parameter_area, row.dimensions};
+	return NULL;
+}
+
 static long bytes_left(FILE *file)
 {
 	long at = ftell(file);
@@ -211,14 +224,10 @@ static const char *read_rows(PhotonMap *map, FILE *file, bool constrained)
 	for (uint32_t i = 0; i < map->count; i++)
 		if (!read_photon(map, i, file))
 			return "it holds a photon that cannot be";
-	for (int i = 0; i < map->light_count; i++) {
-		PlyLight row;
-		if (fread(&row, sizeof row, 1, file) != 1)
-			return "it ends too early";
-		map->lights[i] = (PhotonLight){(uint64_t)row.paths, row.parameter_area,
-					       row.dimensions};
-	}
-	return NULL;
+	const char *wrong = NULL;
+	for (int i = 0; i < map->light_count && !wrong; i++)
+		wrong = read_light(&map->lights[i], file);
+	return wrong;
 }
 
 static const char *read_all(PhotonMap *map, FILE *file)

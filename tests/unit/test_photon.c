@@ -104,6 +104,34 @@ static void constrain(PhotonMap *map)
 	}
 }
 
+/* What no photon and no light can be is refused. */
+static void test_unsound(void)
+{
+	char path[] = "/tmp/photon-map-XXXXXX";
+	close(mkstemp(path));
+	for (int what = 0; what < 6; what++) {
+		Diag *diag = diag_create(NULL);
+		PhotonMap *map = make_map(10);
+		if (what == 1)
+			map->photons[3].position[1] = NAN;
+		if (what == 2)
+			map->photons[9].emitter[2] = INFINITY;
+		if (what == 3)
+			map->photons[0].light = (uint16_t)map->light_count;
+		if (what == 4)
+			map->lights[1].parameter_area = NAN;
+		if (what == 5)
+			map->lights[1].paths = UINT64_MAX;
+		CHECK(photon_map_write(map, path, diag));
+		PhotonMap *back = photon_map_read(path, diag);
+		CHECK(!back == (what > 0) && diag_errors(diag) == (what > 0));
+		photon_map_destroy(back);
+		photon_map_destroy(map);
+		diag_destroy(diag);
+	}
+	unlink(path);
+}
+
 static void test_map(void)
 {
 	Diag *diag = diag_create(NULL);
@@ -162,5 +190,6 @@ int main(void)
 	test_group();
 	test_record();
 	test_map();
+	test_unsound();
 	return CHECK_RESULT();
 }
