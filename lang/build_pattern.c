@@ -9,6 +9,7 @@
 #include "scene/flatten.h"
 #include "scene/object.h"
 #include "surface/pattern_data.h"
+#include "surface/pavement_plan.h"
 #include "surface/warp.h"
 
 bool build_version_before(const Context *context, double version)
@@ -81,6 +82,13 @@ static void take_tiling(Cursor *cursor, Pattern *pattern)
 		data->tiling = tiling_create(cursor->context->builder->arena, kind);
 	if (!data->tiling)
 		pattern->class = NULL;
+}
+
+static void take_pavement(Cursor *cursor, Pattern *pattern)
+{
+	PavementData *data = new_data(cursor, pattern, sizeof *data);
+	*data = (PavementData){.sides = 3, .tiles = 1, .pattern = 1};
+	data->plan = pavement_plan_find(data->sides, data->tiles, data->pattern);
 }
 
 static FractalData *new_fractal(Cursor *cursor, Pattern *pattern)
@@ -331,7 +339,7 @@ static const PatternRow PATTERNS[] = {
 	{W_marble, NULL, false},
 	{W_object, take_object_pattern, true},
 	{W_onion, NULL, false},
-	{W_pavement, NULL, false},
+	{W_pavement, take_pavement, false},
 	{W_pigment_pattern, take_pigment_pattern, true},
 	{W_planar, NULL, false},
 	{W_quilted, NULL, false},

@@ -5,6 +5,7 @@
 #include "lang/build_pattern.h"
 #include "lang/build_transform.h"
 #include "surface/pattern_data.h"
+#include "surface/pavement_plan.h"
 #include "surface/warp.h"
 
 /* Takes what follows the word, which is taken. */
@@ -211,34 +212,49 @@ static void take_solid(Cursor *cursor, Pattern *pattern)
 		data->solid = cursor_optional_bool(cursor);
 }
 
-static PavementData *pavement_data(Cursor *cursor, Pattern *pattern)
+static bool is_pavement_word(Word word)
 {
-	static const PavementData initial = {.sides = 3, .tiles = 1, .pattern = 1};
-	return belongs(cursor, pattern, "pavement")
-		       ? build_pattern_data(cursor->context, pattern, &initial,
-					    sizeof(PavementData))
-		       : NULL;
+	return word == W_number_of_sides || word == W_number_of_tiles || word == W_pattern ||
+	       word == W_form || word == W_exterior || word == W_interior;
 }
 
-static void take_number_of_sides(Cursor *cursor, Pattern *pattern)
+/* The number behind the word that was taken last. */
+static void take_pavement_number(Cursor *cursor, PavementData *data)
 {
-	PavementData *data = pavement_data(cursor, pattern);
-	if (data)
-		cursor_take_int(cursor, &data->sides);
+	switch (cursor->last->word) {
+	case W_number_of_sides: cursor_take_int(cursor, &data->sides); break;
+	case W_number_of_tiles: cursor_take_int(cursor, &data->tiles); break;
+	case W_pattern: cursor_take_int(cursor, &data->pattern); break;
+	case W_form: cursor_take_int(cursor, &data->form); break;
+	case W_exterior: cursor_take_int(cursor, &data->exterior); break;
+	default: cursor_take_int(cursor, &data->interior); break;
+	}
 }
 
-static void take_number_of_tiles(Cursor *cursor, Pattern *pattern)
+/* What stands together is judged together: the words come in any order. */
+static void take_pavement(Cursor *cursor, Pattern *pattern)
 {
-	PavementData *data = pavement_data(cursor, pattern);
-	if (data)
-		cursor_take_int(cursor, &data->tiles);
-}
-
-static void take_pavement_pattern(Cursor *cursor, Pattern *pattern)
-{
-	PavementData *data = pavement_data(cursor, pattern);
-	if (data)
-		cursor_take_int(cursor, &data->pattern);
+	if (!belongs(cursor, pattern, "pavement"))
+		return;
+	PavementData *data = build_pattern_data(cursor->context, pattern, pattern->data,
+						sizeof *data);
+	take_pavement_number(cursor, data);
+	while (is_pavement_word(cursor_peek_word(cursor))) {
+		cursor_next(cursor);
+		take_pavement_number(cursor, data);
+	}
+	const PavementPlan *plan = pavement_plan_find(data->sides, data->tiles, data->pattern);
+	int count = pavement_plan_count(data->sides, data->tiles);
+	if (plan)
+		data->plan = plan;
+	else if (count > 0)
+		diag_error(cursor->context->diag, cursor->last->where,
+			   "tiles of %d polygons with %d sides have the patterns 1 to %d",
+			   data->tiles, data->sides, count);
+	else
+		diag_error(cursor->context->diag, cursor->last->where,
+			   "pavement has tiles of 1 to 6 polygons with 3 or 4 sides, or of 1 to 5 "
+			   "with 6 sides");
 }
 
 static bool is_class(const Pattern *pattern, const char *name)
@@ -250,7 +266,7 @@ static bool is_class(const Pattern *pattern, const char *name)
 static void take_form(Cursor *cursor, Pattern *pattern)
 {
 	if (is_class(pattern, "pavement")) {
-		cursor_take_int(cursor, &pavement_data(cursor, pattern)->form);
+		take_pavement(cursor, pattern);
 		return;
 	}
 	CrackleData *data = crackle_data(cursor, pattern);
@@ -289,8 +305,7 @@ static void take_coloring(Cursor *cursor, Pattern *pattern)
 {
 	bool exterior = cursor->last->word == W_exterior;
 	if (is_class(pattern, "pavement")) {
-		PavementData *data = pavement_data(cursor, pattern);
-		cursor_take_int(cursor, exterior ? &data->exterior : &data->interior);
+		take_pavement(cursor, pattern);
 		return;
 	}
 	FractalData *data = fractal_data(cursor, pattern);
@@ -342,9 +357,9 @@ static const ModifierRow MODIFIERS[] = {
 	{W_exterior, take_coloring},
 	{W_interior, take_coloring},
 	{W_interpolate, take_interpolate},
-	{W_number_of_sides, take_number_of_sides},
-	{W_number_of_tiles, take_number_of_tiles},
-	{W_pattern, take_pavement_pattern},
+	{W_number_of_sides, take_pavement},
+	{W_number_of_tiles, take_pavement},
+	{W_pattern, take_pavement},
 };
 
 static const ModifierRow *find_row(Word word)

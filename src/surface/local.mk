@@ -4,6 +4,7 @@ libsurface_a_SOURCES = src/surface/point.h src/surface/function.h src/surface/pa
 	src/surface/image_map.h src/surface/pattern.c src/surface/pattern_block.c src/surface/pattern_classes.h \
 	src/surface/pattern_crackle.c src/surface/pattern_data.c src/surface/pattern_data.h src/surface/pattern_fractal.c \
 	src/surface/pattern_noise.c src/surface/pattern_simple.c src/surface/pattern_tiling.c \
+	src/surface/pattern_pavement.c src/surface/pavement_plan.c src/surface/pavement_plan.h \
 	src/surface/pattern_wave.c
 libsurface_a_SOURCES += src/surface/texture.h src/surface/texture.c src/surface/pigment.c src/surface/normal.c src/surface/finish.c \
 	src/surface/interior.c src/surface/blend.h src/surface/blend.c src/surface/cubic.h

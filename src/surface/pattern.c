@@ -26,7 +26,7 @@ static const PatternClass *const pattern_table[] = {
 	&pattern_facets,      &pattern_mandel,       &pattern_julia,    &pattern_magnet1m,
 	&pattern_magnet1j,    &pattern_magnet2m,     &pattern_magnet2j, &pattern_function,
 	&pattern_image,       &pattern_density_file, &pattern_pigment,  &pattern_slope,
-	&pattern_aoi,         &pattern_potential,    &pattern_tiling,
+	&pattern_aoi,         &pattern_potential,    &pattern_tiling,  &pattern_pavement,
 };
 
 const PatternClass *pattern_find(const char *name)

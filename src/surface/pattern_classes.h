@@ -19,6 +19,8 @@ extern const PatternClass pattern_checker, pattern_brick, pattern_hexagon, patte
 	pattern_square, pattern_triangular, pattern_object;
 /* pattern_tiling.c */
 extern const PatternClass pattern_tiling;
+/* pattern_pavement.c */
+extern const PatternClass pattern_pavement;
 /* pattern_crackle.c */
 extern const PatternClass pattern_cells, pattern_crackle, pattern_facets;
 /* pattern_fractal.c */

@@ -38,11 +38,13 @@ typedef struct TilingData {
 enum { TILING_KINDS = 24 };
 const Tiling *tiling_create(Arena *arena, int kind); /* 1 to TILING_KINDS */
 
+/* pavement; needed */
 typedef struct PavementData {
-	int sides;                    /* number_of_sides 3, 4, 6; 3 */
-	int tiles;                    /* number_of_tiles 1..6; 1 */
-	int pattern;                  /* 1..; 1 */
-	int exterior, interior, form; /* 0 */
+	int sides;                       /* number_of_sides 3, 4, 6; 3 */
+	int tiles;                       /* number_of_tiles 1..6; 1 */
+	int pattern;                     /* 1..; 1 */
+	int exterior, interior, form;    /* 0 */
+	const struct PavementPlan *plan; /* what sides, tiles and pattern stand for */
 } PavementData;
 
 /* crackle; also facets uses the first cells of it */
