@@ -163,9 +163,9 @@ static void forget_emitters(PhotonMap *map)
 
 static void warn_of_hours(const Job *job, double seconds)
 {
-	static const double hour = 3600, million = 1e6;
+	static const double hour = 3600, million = 1e6, least_hours = 1.5; /* two, as it is told */
 	double hours = seconds / parallel_threads() / hour;
-	if (hours > 1 && job->options->diag && job->options->pass == 0)
+	if (hours > least_hours && job->options->diag && job->options->pass == 0)
 		diag_warning(job->options->diag, job->scene->settings.photons.where,
 			     "%.0f million paths take about %.0f hours",
 			     (double)job->aims->paths / million, hours);
