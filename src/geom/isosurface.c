@@ -8,12 +8,14 @@
  */
 #include "geom/isosurface.h"
 
+#include "geom/secant.h"
+
 typedef struct Isosurface {
 	IsosurfaceDesc desc;
 	double gradient;
 } Isosurface;
 
-enum { PART_FUNCTION = -1, STACK_DEPTH = 64, REFINE_STEPS = 40 };
+enum { PART_FUNCTION = -1, STACK_DEPTH = 64 };
 
 IsosurfaceDesc isosurface_default(void)
 {
@@ -57,35 +59,28 @@ static double value_at(const Isosurface *isosurface, Vec3 p)
 	return isosurface->desc.value(isosurface->desc.function, p) - isosurface->desc.threshold;
 }
 
+typedef struct Line {
+	const Isosurface *isosurface;
+	const Ray *ray;
+} Line;
+
 /* A function that is not a number nowhere encloses anything. */
-static double value_along(const Isosurface *isosurface, const Ray *ray, double t)
+static double value_along(const void *data, double t)
 {
-	double value = value_at(isosurface, ray_at(ray, t));
+	const Line *line = data;
+	double value = value_at(line->isosurface, ray_at(line->ray, t));
 	return isnan(value) ? INFINITY : value;
 }
 
-typedef struct Sample {
-	double t, value;
-} Sample;
-
-/* The crossing between two samples of different sign: the Illinois form of the secant method. */
-static double refine(const Isosurface *isosurface, const Ray *ray, Sample a, Sample b)
+static SecantSample sample(const Line *line, double t)
 {
-	double stop = 1e-9 * fabs(b.t - a.t) + 1e-15 * fabs(a.t);
-	for (int i = 0; i < REFINE_STEPS && fabs(b.t - a.t) > stop; i++) {
-		double t = b.t - b.value * (b.t - a.t) / (b.value - a.value);
-		if (!(t > fmin(a.t, b.t) && t < fmax(a.t, b.t)))
-			t = 0.5 * (a.t + b.t);
-		Sample next = {t, value_along(isosurface, ray, t)};
-		if (next.value == 0)
-			return t;
-		if ((next.value > 0) != (b.value > 0))
-			a = b;
-		else
-			a.value *= 0.5;
-		b = next;
-	}
-	return b.t;
+	return (SecantSample){t, value_along(line, t)};
+}
+
+/* The crossing between two samples of different sign. */
+static double refine(const Line *line, SecantSample a, SecantSample b)
+{
+	return secant_root(value_along, line, a, b, 1e-9 * fabs(b.t - a.t) + 1e-15 * fabs(a.t));
 }
 
 /* What two samples leave open: the surface is farther from each than its value over the steepest
@@ -94,37 +89,37 @@ typedef struct Gap {
 	double from, to;
 } Gap;
 
-static Gap gap_between(Sample from, Sample to, double gradient)
+static Gap gap_between(SecantSample from, SecantSample to, double gradient)
 {
 	return (Gap){from.t + fabs(from.value) / gradient, to.t - fabs(to.value) / gradient};
 }
 
 /* Where to look next. A gap that is closed though the signs differ shows that the gradient was too
  * small. */
-static double next_place(const Gap *gap, Sample from, Sample to)
+static double next_place(const Gap *gap, SecantSample from, SecantSample to)
 {
 	return gap->from < gap->to ? 0.5 * (gap->from + gap->to) : 0.5 * (from.t + to.t);
 }
 
 /* The first change of sign between two samples, as far as the gradient promises to find it. */
-static bool first_root(const Isosurface *isosurface, const Ray *ray, Sample from, Sample to,
-		       double *t)
+static bool first_root(const Line *line, SecantSample from, SecantSample to, double *t)
 {
-	double speed = vec3_length(ray->direction), shortest = isosurface->desc.accuracy / speed;
+	const Isosurface *isosurface = line->isosurface;
+	double speed = vec3_length(line->ray->direction);
+	double shortest = isosurface->desc.accuracy / speed;
 	double gradient = isosurface->gradient * speed;
-	Sample stack[STACK_DEPTH];
+	SecantSample stack[STACK_DEPTH];
 	int depth = 0;
 	stack[depth++] = to;
 	while (depth) {
-		Sample end = stack[depth - 1];
+		SecantSample end = stack[depth - 1];
 		Gap gap = gap_between(from, end, gradient);
 		bool differ = (from.value > 0) != (end.value > 0);
 		double open = gap.to - gap.from, length = differ ? end.t - from.t : open;
 		if (length >= shortest && depth < STACK_DEPTH) {
-			double place = next_place(&gap, from, end);
-			stack[depth++] = (Sample){place, value_along(isosurface, ray, place)};
+			stack[depth++] = sample(line, next_place(&gap, from, end));
 		} else if (differ) {
-			*t = refine(isosurface, ray, from, end);
+			*t = refine(line, from, end);
 			return true;
 		} else {
 			from = end;
@@ -136,24 +131,24 @@ static bool first_root(const Isosurface *isosurface, const Ray *ray, Sample from
 
 /* The part of the ray inside the container, as samples. False when it misses. */
 typedef struct Span {
-	Sample from, to;
+	SecantSample from, to;
 	bool enters, leaves; /* from, to lie on the container's surface */
 	int faces[2];
 } Span;
 
-static bool find_span(const Isosurface *isosurface, const Ray *ray, Span *span)
+static bool find_span(const Line *line, Span *span)
 {
+	const Ray *ray = line->ray;
 	double t[2];
-	if (!container_cross(&isosurface->desc.container, ray, t, span->faces))
+	if (!container_cross(&line->isosurface->desc.container, ray, t, span->faces))
 		return false;
 	span->enters = t[0] > ray->tmin;
 	span->leaves = t[1] < ray->tmax;
-	span->from.t = fmax(t[0], ray->tmin);
-	span->to.t = fmin(t[1], ray->tmax);
-	if (!(span->from.t < span->to.t))
+	double from = fmax(t[0], ray->tmin), to = fmin(t[1], ray->tmax);
+	if (!(from < to))
 		return false;
-	span->from.value = value_along(isosurface, ray, span->from.t);
-	span->to.value = value_along(isosurface, ray, span->to.t);
+	span->from = sample(line, from);
+	span->to = sample(line, to);
 	return true;
 }
 
@@ -163,7 +158,8 @@ static void isosurface_cross(const Shape *self, const Ray *ray, int most, HitLis
 	const Isosurface *isosurface = self->data;
 	bool closed = !isosurface->desc.open;
 	Span span;
-	if (!find_span(isosurface, ray, &span))
+	const Line line = {isosurface, ray};
+	if (!find_span(&line, &span))
 		return;
 	double skip = 5 * isosurface->desc.accuracy / vec3_length(ray->direction), t;
 	int count = 0;
@@ -171,12 +167,12 @@ static void isosurface_cross(const Shape *self, const Ray *ray, int most, HitLis
 		hit_list_push(out, (Hit){.t = span.from.t, .shape = self, .part = span.faces[0]});
 		count++;
 	}
-	while (count < most && first_root(isosurface, ray, span.from, span.to, &t)) {
+	while (count < most && first_root(&line, span.from, span.to, &t)) {
 		hit_list_add(out, ray, self, t, PART_FUNCTION);
 		count++;
 		if (t + skip >= span.to.t)
 			break;
-		span.from = (Sample){t + skip, value_along(isosurface, ray, t + skip)};
+		span.from = sample(&line, t + skip);
 	}
 	if (closed && count < most && span.leaves && span.to.value < 0)
 		hit_list_push(out, (Hit){.t = span.to.t, .shape = self, .part = span.faces[1]});

@@ -10,6 +10,7 @@
 #include <limits.h>
 
 #include "geom/box.h"
+#include "geom/secant.h"
 
 enum { NEWTON_STEPS = 60, PINCHED_SAMPLES = 10, KINK_PLANES = 5 };
 
@@ -160,33 +161,16 @@ static int cross_convex(const Superellipsoid *shape, const Ray *ray, int most, d
 	return t[0] < t[1] ? 2 : 0;
 }
 
-static double gauge_along(const Superellipsoid *shape, const Ray *ray, double t)
-{
-	Vec3 gradient;
-	return gauge(shape, ray_at(ray, t), &gradient) - 1;
-}
+typedef struct Line {
+	const Superellipsoid *shape;
+	const Ray *ray;
+} Line;
 
-/* The crossing between two places with values of different sign: the Illinois form of the secant
- * method. */
-static double refine(const Superellipsoid *shape, const Ray *ray, const double t[2], double at_a,
-		     double at_b)
+static double gauge_along(const void *data, double t)
 {
-	double a = t[0], b = t[1];
-	for (int i = 0; i < NEWTON_STEPS && fabs(b - a) > 1e-13 * fabs(b); i++) {
-		double next = b - at_b * (b - a) / (at_b - at_a);
-		double value = gauge_along(shape, ray, next);
-		if (value == 0 || next == b)
-			return next;
-		if ((value > 0) != (at_b > 0)) {
-			a = b;
-			at_a = at_b;
-		} else {
-			at_a *= 0.5;
-		}
-		b = next;
-		at_b = value;
-	}
-	return b;
+	const Line *line = data;
+	Vec3 gradient;
+	return gauge(line->shape, ray_at(line->ray, t), &gradient) - 1;
 }
 
 /* Where the ray passes the planes x = 0, y = 0, z = 0, x = y, x = -y between t[0] and t[1], then
@@ -211,11 +195,11 @@ static int kinks_between(const Ray *ray, const double t[2], double ends[KINK_PLA
 
 /* The crossing in an interval whose ends lie on two sides; enters: it starts outside, whatever the
  * gauge is there. */
-static double refine_change(const Superellipsoid *shape, const Ray *ray, const double t[2],
-			    bool enters)
+static double refine(const Line *line, const double t[2], bool enters)
 {
-	return refine(shape, ray, t, enters ? 1 : gauge_along(shape, ray, t[0]),
-		      gauge_along(shape, ray, t[1]));
+	SecantSample from = {t[0], enters ? 1 : gauge_along(line, t[0])},
+		     to = {t[1], gauge_along(line, t[1])};
+	return secant_root(gauge_along, line, from, to, 1e-13 * fabs(to.t));
 }
 
 /* Crossings between t[0] and t[1] in rising order until the list has `most`. Where the ray comes
@@ -224,6 +208,7 @@ static void cross_pinched(const Shape *self, const Ray *ray, const double t[2], 
 			  HitList *out)
 {
 	const Superellipsoid *shape = self->data;
+	const Line line = {shape, ray};
 	double ends[KINK_PLANES + 1], last = t[0], before = t[0];
 	bool enters = t[0] > ray->tmin, was_inside = !enters && is_inside(shape, ray_at(ray, t[0]));
 	int count = kinks_between(ray, t, ends);
@@ -235,7 +220,7 @@ static void cross_pinched(const Shape *self, const Ray *ray, const double t[2], 
 			if (inside != was_inside) {
 				double places[] = {before, at};
 				hit_list_add(out, ray, self,
-					     refine_change(shape, ray, places, enters && before == t[0]), 0);
+					     refine(&line, places, enters && before == t[0]), 0);
 				if (out->count >= most)
 					return;
 			}
