@@ -196,8 +196,9 @@ bool options_truth(const char *text)
 static bool read_number(const char *text, double *out)
 {
 	const char *first = *text == '+' || *text == '-' ? text + 1 : text;
+	const char *digit = *first == '.' ? first + 1 : first;
 	char *end;
-	if (!isdigit((unsigned char)*first) || first[1] == 'x' || first[1] == 'X')
+	if (!isdigit((unsigned char)*digit) || first[1] == 'x' || first[1] == 'X')
 		return false;
 	*out = strtod(text, &end);
 	return *end == 0;
