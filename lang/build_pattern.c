@@ -247,10 +247,13 @@ bool build_pattern_inner_list(const Cursor *cursor, Cursor *list)
 	return true;
 }
 
+/* A first number without a second one has 0 for that. */
 static void take_slope_range(Cursor *cursor, double *lo, double *hi)
 {
-	if (cursor_accept_float(cursor, lo))
-		cursor_take_float(cursor, hi);
+	if (!cursor_accept_float(cursor, lo))
+		return;
+	*hi = 0;
+	cursor_accept_float(cursor, hi);
 }
 
 /* slope { <direction> lo hi altitude <direction> lo hi }, slope { point_at <point> lo hi }, slope

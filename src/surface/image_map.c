@@ -34,8 +34,8 @@ static Vec2 map_uv(const ImageMap *map, Vec3 p)
 static bool map_place(const ImageMap *map, Vec3 p, Place *place)
 {
 	Vec2 uv = map_uv(map, p);
-	uv.u += map->offset.u;
-	uv.v += map->offset.v;
+	uv.u -= map->offset.u;
+	uv.v -= map->offset.v;
 	if (map->once && (uv.u < 0 || uv.u > 1 || uv.v < 0 || uv.v > 1))
 		return false;
 	if (!(uv.u >= 0 && uv.u <= 1))
@@ -168,12 +168,10 @@ int image_map_index(const ImageMap *map, Vec3 p)
 	return (int)(pixel_color(map, x, y).r * 255 + 0.5);
 }
 
-/* One number a pixel: alpha, index or grey, as the map's words say. In the red channel. */
+/* One number a pixel: alpha or grey, as the map's words say, whatever they say of the palette. In
+ * the red channel. */
 static Rgbft pixel_number(const ImageMap *map, int x, int y)
 {
-	size_t at = pixel_offset(map, x, y);
-	if (map->indices && !map->use_color && !map->use_alpha)
-		return rgbft(map->indices[at] / 255.0f, 0, 0, 0, 0);
 	Rgbft c = pixel_color(map, x, y);
 	return rgbft(map->use_alpha ? c.transmit : rgb_gray(rgbft_rgb(c)), 0, 0, 0, 0);
 }

@@ -48,7 +48,7 @@ static double facing(Vec3 normal, Vec3 direction)
 static double value_slope(const Pattern *pattern, const SurfacePoint *at)
 {
 	const SlopeData *slope = pattern->data;
-	Vec3 direction = slope->point_at ? vec3_sub(slope->direction, at->p) : slope->direction;
+	Vec3 direction = slope->point_at ? vec3_sub(slope->direction, at->world) : slope->direction;
 	double v = ranged(facing(at->normal, direction), slope->lo_slope, slope->hi_slope);
 	double along = vec3_length(slope->altitude), down = vec3_length(direction);
 	if (along == 0)

@@ -55,15 +55,16 @@ static double orbit_part(int type, Complex z)
 
 static double exterior_value(const FractalData *f, int count, Complex z)
 {
+	int whole = (int)fmin(fmax(f->exterior_factor, -1), 1e9); /* counts go round by this */
 	switch (f->exterior) {
 	case 0:
 		return f->exterior_factor;
 	case 1:
 		return (double)count / f->iterations;
 	case 7:
-		return fmod(count, f->exterior_factor) / f->exterior_factor;
+		return whole >= 1 ? count % whole / f->exterior_factor : 0;
 	case 8:
-		return fmod(count, f->exterior_factor + 1) / f->exterior_factor;
+		return whole >= 0 ? count % (whole + 1) / f->exterior_factor : 0;
 	default:
 		return orbit_part(f->exterior, z) * f->exterior_factor;
 	}

@@ -97,10 +97,17 @@ static void shade_map(const Texture *texture, const Place *inner, double weight,
 		shade(entries[span.lower].texture, inner, weight * (1 - span.weight), out);
 }
 
+/* Numbers beyond the textures go round, but the first of those stands for the last texture. */
+static int material_number(int index, int count)
+{
+	return index == count ? count - 1 : index % count;
+}
+
 static void shade_material_map(const Texture *texture, const Place *inner, double weight,
 			       Shading *out)
 {
-	int index = image_map_index(texture->image, inner->at.p) % texture->texture_count;
+	int index = material_number(image_map_index(texture->image, inner->at.p),
+				    texture->texture_count);
 	shade(texture->textures[index < 0 ? 0 : index].texture, inner, weight, out);
 }
 
