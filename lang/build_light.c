@@ -166,13 +166,25 @@ static void finish_cone(LightReading *reading)
 		light->kind = LIGHT_POINT;
 }
 
+/* A light without a colour is dark. */
+static void take_color(Cursor *cursor, Rgb *color)
+{
+	if (cursor_peek_numeric(cursor)) {
+		cursor_take_rgb(cursor, color);
+		return;
+	}
+	*color = (Rgb){0};
+	diag_warning(cursor->context->diag, cursor_where(cursor),
+		     "a light without a colour gives no light");
+}
+
 bool build_light_source(Cursor *cursor, Object *object)
 {
 	LightReading reading = {.light = light_default()};
 	object->kind = OBJECT_LIGHT;
-	if (!cursor_take_vec3(cursor, &reading.light.position) ||
-	    !cursor_take_rgb(cursor, &reading.light.color))
+	if (!cursor_take_vec3(cursor, &reading.light.position))
 		return false;
+	take_color(cursor, &reading.light.color);
 	while (!cursor_at_end(cursor))
 		if (!read_item(cursor, &reading))
 			cursor_unexpected(cursor);

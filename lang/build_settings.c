@@ -4,13 +4,19 @@
 #include "lang/build_photons.h"
 #include "lang/cursor.h"
 
-/* assumed_gamma number or assumed_gamma srgb */
+/* assumed_gamma number or assumed_gamma srgb. The first one stays, as colours were read by it. */
 static void read_gamma(Cursor *cursor, Settings *settings)
 {
+	double gamma = 0;
 	if (cursor_accept_word(cursor, W_srgb))
-		settings->assumed_gamma = -1;
+		gamma = -1;
 	else
-		cursor_take_float(cursor, &settings->assumed_gamma);
+		cursor_take_float(cursor, &gamma);
+	if (settings->assumed_gamma == 0)
+		settings->assumed_gamma = gamma;
+	else if (gamma != settings->assumed_gamma)
+		diag_warning(cursor->context->diag, cursor->last->where,
+			     "assumed_gamma is set already; this one has no effect");
 }
 
 /* charset only says how the file's bytes are meant; texts are UTF-8 here whatever it says. */

@@ -213,8 +213,17 @@ void declare_directive(Reader *reader, bool local, Location where)
 void declare_undef(Reader *reader)
 {
 	Location where = source_here(reader);
-	Name *name = source_take_name(reader, "an identifier");
-	if (name && !symbols_remove(reader->symbols, name))
-		diag_warning(reader->context.diag, where, "'%s' is not declared", name->text);
+	Target target = {.where = where};
+	target.name = source_take_name(reader, "an identifier");
+	if (target.name && next_is(reader, '[')) {
+		if (!read_element(reader, &target)) {
+			declare_skip(reader);
+			return;
+		}
+		*target.element = value_none();
+	} else if (target.name && !symbols_remove(reader->symbols, target.name)) {
+		diag_warning(reader->context.diag, where, "'%s' is not declared",
+			     target.name->text);
+	}
 	source_accept_sign(reader, ';');
 }

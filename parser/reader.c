@@ -32,6 +32,13 @@ static void set_library_paths(Context *context, const ReaderOptions *options)
 	context->library_path_count = count;
 }
 
+/* The last part of a path. */
+static const char *file_part(const char *path)
+{
+	const char *slash = strrchr(path, '/');
+	return slash ? slash + 1 : path;
+}
+
 static void set_context(Reader *reader, const ReaderOptions *options, SceneBuilder *builder,
 			Diag *diag)
 {
@@ -48,6 +55,7 @@ static void set_context(Reader *reader, const ReaderOptions *options, SceneBuild
 		.frame_number = options->frame_number,
 		.initial_frame = options->initial_frame,
 		.final_frame = options->final_frame,
+		.input_file_name = file_part(options->path),
 		.clock_on = options->clock_on,
 		.image_width = options->image_width,
 		.image_height = options->image_height,
