@@ -330,10 +330,12 @@ static void emit_light(Flatten *flatten, const Object *object, State *state, Lis
 	emit_children(flatten, object, state, out);
 }
 
+/* In groups of groups the outermost says whether the scene's other lights reach in. */
 static void emit_group(Flatten *flatten, const Object *object, State *state, List *out)
 {
+	if (state->surface.light_group == 0)
+		state->surface.global_lights = object->flags.global_lights == ON;
 	state->surface.light_group = ++flatten->group_count;
-	state->surface.global_lights = object->flags.global_lights == ON;
 	state->made = NULL;
 	emit_children(flatten, object, state, out);
 }
