@@ -178,6 +178,10 @@ const Pigment *build_pigment_body(Cursor *cursor, const Pigment *base)
 		if (!take_item(cursor, pigment))
 			cursor_unexpected(cursor);
 	check_average(cursor, pigment);
+	if (cursor->context->quick_colors && pigment->has_quick_color) {
+		pigment->kind = PIGMENT_COLOR;
+		pigment->color = pigment->quick_color;
+	}
 	return pigment;
 }
 

@@ -41,6 +41,7 @@ typedef struct Context {
 	bool clock_on;
 	int image_width, image_height;
 	double version;        /* the current #version, 3.7 by default; 0: none given yet */
+	bool quick_colors;     /* pigments with a quick_color are of that colour */
 	bool cognac;           /* the extension's words are on */
 	unsigned unsupported; /* features a warning was given about: a bit each (lang/build_media.h)
 			       */

@@ -59,6 +59,7 @@ static void set_context(Reader *reader, const ReaderOptions *options, SceneBuild
 		.clock_on = options->clock_on,
 		.image_width = options->image_width,
 		.image_height = options->image_height,
+		.quick_colors = options->quick_colors,
 		.version = options->version > 0 ? options->version : 3.7,
 		.allow_write_anywhere = options->allow_write_anywhere,
 		.read_paths = options->allowed_read_paths,

@@ -28,6 +28,7 @@ typedef struct ReaderOptions {
 	int frame_number, initial_frame, final_frame;
 	bool clock_on;
 	int image_width, image_height;
+	bool quick_colors;          /* low quality: pigments with a quick_color are of that colour */
 	bool allow_write_anywhere;
 	const char *const *allowed_read_paths; int allowed_read_path_count; /* empty: everywhere */
 	const volatile sig_atomic_t

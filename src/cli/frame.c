@@ -117,6 +117,7 @@ static ReaderOptions reader_options(const FrameJob *job, const LibraryPaths *lib
 		.clock_on = a->active || o->clock_said,
 		.image_width = o->width,
 		.image_height = o->height,
+		.quick_colors = o->quality <= 5,
 		.allow_write_anywhere = o->allow_write,
 	};
 }

@@ -159,16 +159,15 @@ static void follow_hues(Tracer *tracer, const PathRay *path, const Shaded *shade
 
 /* ---- one surface ---- */
 
-/* Low quality: the top layer's colour, fully lit, nothing else. */
+/* Low quality: the bottom layer's colour, fully lit, nothing else. */
 static Seen flat_color(const Shading *shading)
 {
 	Seen sum = SEEN_NOTHING;
 	for (int i = 0; i < shading->stack_count; i++) {
 		const ShadingStack *stack = &shading->stacks[i];
 		if (stack->count)
-			sum.color = rgb_mad(
-				sum.color, stack->weight,
-				rgbft_rgb(shading->layers[stack->first + stack->count - 1].color));
+			sum.color = rgb_mad(sum.color, stack->weight,
+					    rgbft_rgb(shading->layers[stack->first].color));
 	}
 	return sum;
 }

@@ -81,4 +81,29 @@ for name in unsaid older cognac ball; do status 0 $name.pov +Ov_$name; done
 same v_unsaid.png v_older.png "the picture without #version"
 same v_cognac.png v_ball.png "the picture of the unofficial version"
 ! cmp -s v_unsaid.png v_ball.png || fail "no gamma of old scenes without #version"
+
+# Up to +Q5 pigments are of their quick_color, and +Q1 shows the bottom layer.
+sed '$d' ball.pov >flat.pov
+cp flat.pov quick.pov
+cat >>flat.pov <<'END'
+sphere { 0, 1 pigment { rgb <0, 0.5, 0.2> } finish { ambient 1 diffuse 0 } }
+END
+cat >>quick.pov <<'END'
+#declare Quick = pigment { rgb 1 quick_color rgb <0, 0.5, 0.2> }
+sphere { 0, 1
+  texture { pigment { Quick checker rgb 0 rgb 1 } }
+  texture { pigment { rgbt 0.5 } }
+}
+END
+for quality in 0 1; do
+	status 0 quick.pov +Q$quality +Oq_quick
+	status 0 flat.pov +Oq_flat
+	same q_quick.png q_flat.png "quick colours at +Q$quality"
+done
+sed 's/texture { pigment { rgbt .*//' quick.pov >lit.pov
+sed 's/pigment.*finish.*/pigment { rgb <0, 0.5, 0.2> } }/' flat.pov >told.pov
+status 0 told.pov +Oq_told
+for quality in 5 6; do status 0 lit.pov +Q$quality +Oq_$quality; done
+same q_5.png q_told.png "quick colours at +Q5"
+! cmp -s q_5.png q_6.png || fail "quick colours at +Q6"
 finish
