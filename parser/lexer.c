@@ -57,13 +57,17 @@ static int call_token(Reader *reader, Word word, Semantic *value, Location where
 }
 
 /* `filter` and `transmit` are colour parts behind a colour and an item's words elsewhere
- * (image_map); `srgb` alone is a word after gamma. */
-static int color_token(Reader *reader, Word word, Semantic *value)
+ * (image_map), `alpha` is what filter once was called; `srgb` alone is a word after gamma. */
+static int color_token(Reader *reader, Word word, Semantic *value, Location where)
 {
 	const Frame *frame = reader->frame;
 	bool after_gamma = frame->last_word == W_gamma || frame->last_word == W_assumed_gamma;
 	value->word = word;
 	switch (word) {
+	case W_alpha:
+		diag_warning(reader->context.diag, where, "'alpha' is now called 'filter'");
+		value->word = W_filter;
+		/* fallthrough */
 	case W_filter: case W_transmit:
 		return !frame->color ? WORD : frame->complete ? PART : FIRST_PART;
 	case W_red: case W_green: case W_blue:
@@ -86,7 +90,7 @@ static int reserved_token(Reader *reader, Word word, Semantic *value, Location w
 		value->value = expression_constant(&reader->context, word, where);
 		return VALUE;
 	case WORD_COLOR:
-		return color_token(reader, word, value);
+		return color_token(reader, word, value, where);
 	case WORD_DIRECTIVE:
 		break;
 	}
