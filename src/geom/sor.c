@@ -212,11 +212,19 @@ static Vec3 sor_normal(const void *data, const Hit *hit, Vec3 p)
 	return vec3(p.x, -0.5 * (piece->f[1] + w * (2 * piece->f[2] + 3 * w * piece->f[3])), p.z);
 }
 
+/* As in POV-Ray v grows up the profile: by 1 on each end, and by 1 in equal parts over the pieces.
+ */
 static Vec2 sor_uv(const void *data, const Hit *hit, Vec3 p)
 {
-	(void)hit;
 	const Sor *sor = data;
-	return (Vec2){vec3_turn(p), (p.y - low_of(sor)) / (high_of(sor) - low_of(sor))};
+	double r2 = p.x * p.x + p.z * p.z;
+	if (hit->part == CAP_LOW)
+		return (Vec2){vec3_turn(p), sqrt(r2 / sor->cap_low2) - 1};
+	if (hit->part == CAP_HIGH)
+		return (Vec2){vec3_turn(p), 2 - sqrt(r2 / sor->cap_high2)};
+	const Piece *piece = &sor->pieces[hit->part];
+	double along = (p.y - piece->low) / (piece->high - piece->low);
+	return (Vec2){vec3_turn(p), (hit->part + along) / sor->count};
 }
 
 /* The ends. */

@@ -174,6 +174,23 @@ static void test_lathe(Arena *arena)
 	CHECK(shape.closed && !open.closed);
 }
 
+/* v as measured from POV-Ray's pictures: pieces from 0 to 0.5, 1.5 and 2, and ends. */
+static void check_sor_v(const Shape *shape)
+{
+	static const struct { Ray ray; double v; } rows[] = {
+		{{{9, 0.1, 0}, {-1, 0, 0}, 0, 9}, 0.2 / 3},
+		{{{9, 1, 0}, {-1, 0, 0}, 0, 9}, 1.5 / 3},
+		{{{9, 1.9, 0}, {-1, 0, 0}, 0, 9}, 2.8 / 3},
+		{{{0.5, -1, 0}, {0, 1, 0}, 0, 9}, -0.5},
+		{{{0.2, 9, 0}, {0, -1, 0}, 0, 9}, 1.75},
+	};
+	for (int i = 0; i < 5; i++) {
+		Hit hit;
+		CHECK(shape_nearest(shape, &rows[i].ray, &hit));
+		CHECK_NEAR(hit_uv(&hit, ray_at(&rows[i].ray, hit.t)).v, rows[i].v, 1e-8);
+	}
+}
+
 static void test_sor(Arena *arena)
 {
 	const char *error;
@@ -185,6 +202,7 @@ static void test_sor(Arena *arena)
 	check_flat(&shape, (Ray){{0.1, -9, 0}, {0, 1, 0}, 0, 100}, "ff");
 	check_flat(&shape, (Ray){{-9, 1, 0}, {1, 0, 0}, 0, 100}, "cc");
 	check_turn_uv(&shape, 0.5);
+	check_sor_v(&shape);
 	CHECK(!sor_create(arena, &wrong, &error) && error);
 	CHECK(!sor_create(arena, &few, &error) && error);
 	Hit hit;
