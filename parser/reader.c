@@ -3,6 +3,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "base/path.h"
 #include "lang/build.h"
 #include "lang/files.h"
 #include "parser/grammar.h"
@@ -32,13 +33,6 @@ static void set_library_paths(Context *context, const ReaderOptions *options)
 	context->library_path_count = count;
 }
 
-/* The last part of a path. */
-static const char *file_part(const char *path)
-{
-	const char *slash = strrchr(path, '/');
-	return slash ? slash + 1 : path;
-}
-
 static void set_context(Reader *reader, const ReaderOptions *options, SceneBuilder *builder,
 			Diag *diag)
 {
@@ -55,7 +49,7 @@ static void set_context(Reader *reader, const ReaderOptions *options, SceneBuild
 		.frame_number = options->frame_number,
 		.initial_frame = options->initial_frame,
 		.final_frame = options->final_frame,
-		.input_file_name = file_part(options->path),
+		.input_file_name = path_file_name(options->path),
 		.clock_on = options->clock_on,
 		.image_width = options->image_width,
 		.image_height = options->image_height,

@@ -4,19 +4,14 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "base/path.h"
 #include "config.h"
 #include "image/exr.h"
-
-static const char *base_of(const char *path)
-{
-	const char *slash = strrchr(path, '/');
-	return slash ? slash + 1 : path;
-}
 
 /* The length without an extension; names that only start with a dot have none. */
 static size_t stem_length(const char *path)
 {
-	const char *base = base_of(path), *dot = strrchr(base, '.');
+	const char *base = path_file_name(path), *dot = strrchr(base, '.');
 	return dot && dot > base ? (size_t)(dot - path) : strlen(path);
 }
 
@@ -24,7 +19,7 @@ const char *output_scene_name(const Options *options)
 {
 	if (strcmp(options->input, "-") == 0)
 		return "stdin";
-	const char *base = base_of(options->input);
+	const char *base = path_file_name(options->input);
 	return arena_strndup(options->arena, base, stem_length(base));
 }
 
