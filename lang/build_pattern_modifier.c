@@ -212,22 +212,17 @@ static void take_solid(Cursor *cursor, Pattern *pattern)
 		data->solid = cursor_optional_bool(cursor);
 }
 
-static bool is_pavement_word(Word word)
+/* The number that stands behind the word; NULL for a word that is no pavement's. */
+static int *pavement_number(PavementData *data, Word word)
 {
-	return word == W_number_of_sides || word == W_number_of_tiles || word == W_pattern ||
-	       word == W_form || word == W_exterior || word == W_interior;
-}
-
-/* The number behind the word that was taken last. */
-static void take_pavement_number(Cursor *cursor, PavementData *data)
-{
-	switch (cursor->last->word) {
-	case W_number_of_sides: cursor_take_int(cursor, &data->sides); break;
-	case W_number_of_tiles: cursor_take_int(cursor, &data->tiles); break;
-	case W_pattern: cursor_take_int(cursor, &data->pattern); break;
-	case W_form: cursor_take_int(cursor, &data->form); break;
-	case W_exterior: cursor_take_int(cursor, &data->exterior); break;
-	default: cursor_take_int(cursor, &data->interior); break;
+	switch (word) {
+	case W_number_of_sides: return &data->sides;
+	case W_number_of_tiles: return &data->tiles;
+	case W_pattern: return &data->pattern;
+	case W_form: return &data->form;
+	case W_exterior: return &data->exterior;
+	case W_interior: return &data->interior;
+	default: return NULL;
 	}
 }
 
@@ -238,10 +233,12 @@ static void take_pavement(Cursor *cursor, Pattern *pattern)
 		return;
 	PavementData *data = build_pattern_data(cursor->context, pattern, pattern->data,
 						sizeof *data);
-	take_pavement_number(cursor, data);
-	while (is_pavement_word(cursor_peek_word(cursor))) {
-		cursor_next(cursor);
-		take_pavement_number(cursor, data);
+	int *number = pavement_number(data, cursor->last->word);
+	while (number) {
+		cursor_take_int(cursor, number);
+		number = pavement_number(data, cursor_peek_word(cursor));
+		if (number)
+			cursor_next(cursor);
 	}
 	const PavementPlan *plan = pavement_plan_find(data->sides, data->tiles, data->pattern);
 	int count = pavement_plan_count(data->sides, data->tiles);
