@@ -83,7 +83,8 @@ static PavementCell triangle_cell(const PavementPlan *plan, double x, double z)
 	double row = z / pavement_height, column = x - row / 2;
 	int64_t i = (int64_t)floor(column), j = (int64_t)floor(row);
 	int down = column - i + row - j >= 1;
-	Vec2 center = {i + j * 0.5 + (down ? 1 : 0.5), (j + (down ? 2.0 : 1.0) / 3) * pavement_height};
+	Vec2 center = {i + j * 0.5 + (down ? 1 : 0.5),
+		       (j + (down ? 2.0 : 1.0) / 3) * pavement_height};
 	PavementCell cell = {.sides = 3, .width = pavement_height / 3};
 	cell.at = from_to(center, (Vec2){x, z});
 	for (int k = 0; k < 3; k++) {
@@ -123,12 +124,14 @@ static PavementCell hexagon_cell(const PavementPlan *plan, double x, double z)
 		unsigned bit;
 	} own[] = {{1, 0, 2}, {0, 1, 1}, {-1, 1, 4}, {0, 0, 2}, {0, 0, 1}, {0, 0, 4}},
 	  third[] = {{1, 0, 1}, {0, 1, 4}, {0, 1, 2}, {-1, 1, 1}, {-1, 0, 4}, {1, -1, 2}};
+	static const double corner_x[] = {1, 0.5, -0.5, -1, -0.5, 0.5},
+			    corner_z[] = {0, 1, 1, 0, -1, -1};
 	int64_t i = 0, j = 0;
 	find_hexagon((Vec2){x, z}, &i, &j);
 	PavementCell cell = {.sides = 6, .width = pavement_height / 3};
 	cell.at = from_to(hexagon_center(i, j), (Vec2){x, z});
 	for (int k = 0; k < 6; k++) {
-		cell.corner[k] = (Vec2){cos(k * M_PI / 3), sin(k * M_PI / 3)};
+		cell.corner[k] = (Vec2){corner_x[k], corner_z[k] * pavement_height};
 		if (pavement_plan_borders(plan, i + own[k].di, j + own[k].dj) & own[k].bit) {
 			cell.rays[k] |= OWN_FIRST;
 			cell.rays[(k + 1) % 6] |= OWN_LAST;
